@@ -28,8 +28,8 @@ pub(crate) struct Generate {
     #[arg(long, value_name = "SEED", default_value_t = 1)]
     seed: u64,
 
-    /// File to write: .poly, .node, .json, .obj, .off, .csv, .xyz, .txt, .ply, .vtk, .vtu, .vtp, .msh, .geojson, .wkt, .npy,
-    /// .npz or .dxf; `-` for standard output
+    /// File to write: .poly, .node, .json, .obj, .off, .csv, .xyz, .txt, .ply, .vtk, .vtu, .vtp, .msh, .geojson, .wkt, .npy
+    /// or .npz; `-` for standard output
     #[arg(short, long, value_name = "OUTPUT", default_value = "-")]
     output: FileArgument,
 
@@ -47,7 +47,7 @@ Output, which the other subcommands read; numbered from 0:
   .json    {\"points\": [[x, y], ...], \"edges\": [[i, j], ...]}
   .obj, .off, .ply, .vtk, .vtu, .vtp, .msh
            vertices and lines; z is 0 where there are no heights
-  .geojson, .wkt, .dxf
+  .geojson, .wkt
            points and lines
   .npz     arrays of NumPy: points and edges
   Contour lines have heights: an attribute of the vertices, or the third coordinate. Coordinates are

@@ -10,7 +10,7 @@
 //! | `csv`, `xyz`, `txt` | points and columns, a row for each point | the same; as `csv` also edges that cross, and `json` holds them too |
 //! | `ply`, `vtk`, `vtu`, `vtp`, `msh` | vertices, lines and triangles | the same (Stanford, VTK, Gmsh) |
 //! | `stl` | triangles by their coordinates | the same |
-//! | `geojson`, `wkt`, `dxf` | points, lines, rings of polygons; or triangles | the same (maps, CAD) |
+//! | `geojson`, `wkt` | points, lines, rings of polygons; or triangles | the same (maps) |
 //! | `npy`, `npz` | arrays of points, edges and triangles | the same (NumPy) |
 //!
 //! Heights and other numbers that stand beside the coordinates of vertices are [`Column`]s of a [`GraphFile`], and are

@@ -21,8 +21,8 @@ use super::outputs::{Destination, Outputs, refuse_read, refuse_twice};
 /// Arguments that name an input.
 #[derive(clap::Args)]
 pub(crate) struct InputArgs {
-    /// File to read: .node, .poly, .json, .obj, .off, .csv, .xyz, .txt, .ply, .vtk, .vtu, .vtp, .msh, .geojson, .wkt, .npy,
-    /// .npz or .dxf; `-` for standard input
+    /// File to read: .node, .poly, .json, .obj, .off, .csv, .xyz, .txt, .ply, .vtk, .vtu, .vtp, .msh, .geojson, .wkt, .npy
+    /// or .npz; `-` for standard input
     #[arg(value_name = "INPUT")]
     pub(crate) input: FileArgument,
 
@@ -93,7 +93,7 @@ impl InputArgs {
 #[derive(clap::Args)]
 pub(crate) struct ResultArgs {
     /// Triangulation of the input: .ele (and the .node beside it), .json, .obj, .off, .ply, .vtk, .vtu, .vtp, .msh, .stl,
-    /// .geojson, .wkt, .npy, .npz or .dxf; `-` for standard input
+    /// .geojson, .wkt, .npy or .npz; `-` for standard input
     #[arg(value_name = "RESULT")]
     pub(crate) result: FileArgument,
 
@@ -138,7 +138,7 @@ impl ResultArgs {
 /// Arguments that name outputs.
 #[derive(clap::Args)]
 pub(crate) struct OutputArgs {
-    /// File to write: .ele, .node, .json, .obj, .off, .ply, .vtk, .vtu, .vtp, .msh, .stl, .geojson, .wkt, .npy, .npz, .dxf,
+    /// File to write: .ele, .node, .json, .obj, .off, .ply, .vtk, .vtu, .vtp, .msh, .stl, .geojson, .wkt, .npy, .npz,
     /// .svg or .png; may be given several times; `-` for standard output
     #[arg(short, long = "output", value_name = "OUTPUT")]
     output: Vec<FileArgument>,

@@ -7,10 +7,9 @@ use crate::read::content::{Edges, Vertices};
 use crate::read::matching::find;
 use crate::read::numpy::Arrays;
 use crate::read::remarks::Remarks;
-use crate::read::shapes::Part;
 use crate::read::source::{ReadError, Source};
 use crate::read::vtu::Unpacked;
-use crate::read::{dxf, geojson, msh, ply, vtk, wkt};
+use crate::read::{geojson, msh, ply, vtk, wkt};
 use crate::read::{json, obj, off, points, triangle};
 use crate::{Column, Coordinate, CoordinateError, GraphFile, Numbering};
 use sweep_cdt::{Pslg, Region};
@@ -54,24 +53,19 @@ named! {
         Npy = "npy",
         /// Points and edges as arrays of NumPy.
         Npz = "npz",
-        /// Points and straight lines of CAD, as text.
-        Dxf = "dxf",
     }
 }
 
 impl InputFormat {
     /// Whether every vertex has a height in it.
     fn is_spatial(self) -> bool {
-        use InputFormat::{Dxf, Msh, Obj, Off, Ply, Vtk, Vtp, Vtu};
-        matches!(self, Obj | Off | Ply | Vtk | Vtu | Vtp | Msh | Dxf)
+        use InputFormat::{Msh, Obj, Off, Ply, Vtk, Vtp, Vtu};
+        matches!(self, Obj | Off | Ply | Vtk | Vtu | Vtp | Msh)
     }
 
     /// Whether it has no list of vertices, but coordinates wherever a vertex is meant.
     fn is_without_vertices(self) -> bool {
-        matches!(
-            self,
-            InputFormat::Geojson | InputFormat::Wkt | InputFormat::Dxf
-        )
+        matches!(self, InputFormat::Geojson | InputFormat::Wkt)
     }
 }
 
@@ -145,7 +139,6 @@ pub fn read(
         InputFormat::Msh => msh::read(source)?.into_graph()?,
         InputFormat::Geojson => geojson::read(source)?.into_graph(),
         InputFormat::Wkt => wkt::read(source)?.into_graph(),
-        InputFormat::Dxf => dxf::read(source, Part::Points)?.into_graph(),
         InputFormat::Npy => return input(format, Arrays::of_points(source)?.graph()?),
         InputFormat::Npz => return input(format, Arrays::of_archive(source)?.graph()?),
     };

@@ -2,7 +2,6 @@
 
 mod binary;
 mod content;
-mod dxf;
 mod file;
 mod geojson;
 mod input;

@@ -7,10 +7,9 @@ use crate::read::matched::Matched;
 use crate::read::matching::{self, Matching};
 use crate::read::numpy::Arrays;
 use crate::read::refusal::ResultError;
-use crate::read::shapes::Part;
 use crate::read::source::{ReadError, Source};
 use crate::read::vtu::Unpacked;
-use crate::read::{dxf, geojson, msh, ply, stl, vtk, wkt};
+use crate::read::{geojson, msh, ply, stl, vtk, wkt};
 use crate::read::{json, obj, off, triangle};
 use crate::{Coordinate, CoordinateError, GraphFile};
 use sweep_cdt::Pslg;
@@ -49,8 +48,6 @@ named! {
         Npy = "npy",
         /// Triangles, and maybe points, as arrays of NumPy.
         Npz = "npz",
-        /// Faces of CAD, as text.
-        Dxf = "dxf",
     }
 }
 
@@ -80,7 +77,6 @@ impl ResultFormat {
             ResultFormat::Stl => stl::read(source)?,
             ResultFormat::Geojson => geojson::read(source)?.into_triangles()?,
             ResultFormat::Wkt => wkt::read(source)?.into_triangles()?,
-            ResultFormat::Dxf => dxf::read(source, Part::Ring)?.into_triangles()?,
             ResultFormat::Npy => return make(Arrays::of_triangles(source)?.triangles()?),
             ResultFormat::Npz => return make(Arrays::of_archive(source)?.triangles()?),
         };

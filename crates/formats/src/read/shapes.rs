@@ -119,10 +119,6 @@ impl<'a> Shapes<'a> {
             syntax: self.syntax,
             ..Vertices::plain(self.source, self.coordinates, 0)
         };
-        // What begins no features, a drawing, has none.
-        if self.features == 0 {
-            features.clear();
-        }
         Edges {
             polygons,
             features,

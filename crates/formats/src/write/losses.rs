@@ -117,8 +117,7 @@ impl Room {
             | OutputFormat::Obj
             | OutputFormat::Off
             | OutputFormat::Stl
-            | OutputFormat::Npy
-            | OutputFormat::Dxf => nothing,
+            | OutputFormat::Npy => nothing,
             OutputFormat::Ply | OutputFormat::Vtk | OutputFormat::Vtu | OutputFormat::Vtp => Room {
                 columns: true,
                 vertex_markers: true,

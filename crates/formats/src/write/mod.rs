@@ -4,7 +4,6 @@ mod certificate;
 mod certificate_numbers;
 mod certificate_tiling;
 mod crossings;
-mod dxf;
 mod features;
 mod json;
 mod labels;
@@ -71,8 +70,6 @@ named! {
         Npy = "npy",
         /// Points, edges and triangles as arrays of NumPy.
         Npz = "npz",
-        /// Faces of CAD, as text.
-        Dxf = "dxf",
     }
 }
 
@@ -163,7 +160,6 @@ pub fn write_interior<S: Coordinate>(
         OutputFormat::Stl => Mesh::of(file, interior).write_stl(out),
         OutputFormat::Geojson => shapes::write_geojson(file, interior, out),
         OutputFormat::Wkt => shapes::write_wkt(file, interior, out),
-        OutputFormat::Dxf => Mesh::of(file, interior).with_sides(interior).write_dxf(out),
         OutputFormat::Npy => Mesh::of(file, interior).write_triangles(out),
         OutputFormat::Npz => Mesh::of(file, interior).write_npz(true, out),
     }
@@ -244,7 +240,6 @@ pub fn write_graph<S: Coordinate>(
         InputFormat::Msh => Mesh::of_graph(file).write_msh(out),
         InputFormat::Geojson => shapes::write_geojson_graph(file, out),
         InputFormat::Wkt => shapes::write_wkt_graph(file, out),
-        InputFormat::Dxf => Mesh::of_graph(file).write_dxf(out),
         InputFormat::Npy => Mesh::of_graph(file).write_points(out),
         InputFormat::Npz => Mesh::of_graph(file).write_npz(false, out),
     }

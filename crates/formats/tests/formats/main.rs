@@ -3,7 +3,6 @@
 //! other programs (`meshes`, `vtu`, `msh`, `numpy`), and files that are refused (`meshes_refused`).
 
 mod certificates;
-mod dxf;
 mod exchange;
 mod files;
 mod matching;

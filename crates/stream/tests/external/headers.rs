@@ -51,10 +51,6 @@ fn seeds() -> Vec<Seed> {
             "json",
             "{\"points\": [[0, 0], [1, 0], [0, 1]], \"edges\": [[0, 1]], \"triangles\": [[0, 1, 2]]}",
         ),
-        (
-            "dxf",
-            "0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n90\n3\n70\n1\n10\n0\n20\n0\n10\n1\n20\n0\n10\n0\n20\n1\n0\nENDSEC\n0\nEOF\n",
-        ),
     ];
     let texts = texts.into_iter().map(|(format, text)| Seed {
         format: format.to_owned(),

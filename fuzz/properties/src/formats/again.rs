@@ -16,7 +16,7 @@ const POINTS: usize = 64;
 const CHARACTERS: usize = 2000;
 
 /// The formats of inputs that came later.
-pub(super) const INPUTS: [InputFormat; 13] = [
+pub(super) const INPUTS: [InputFormat; 12] = [
     InputFormat::Obj,
     InputFormat::Off,
     InputFormat::Ply,
@@ -29,11 +29,10 @@ pub(super) const INPUTS: [InputFormat; 13] = [
     InputFormat::Vtp,
     InputFormat::Npy,
     InputFormat::Npz,
-    InputFormat::Dxf,
 ];
 
 /// The formats of results that came later.
-pub(super) const RESULTS: [ResultFormat; 12] = [
+pub(super) const RESULTS: [ResultFormat; 11] = [
     ResultFormat::Off,
     ResultFormat::Ply,
     ResultFormat::Vtk,
@@ -45,7 +44,6 @@ pub(super) const RESULTS: [ResultFormat; 12] = [
     ResultFormat::Vtp,
     ResultFormat::Npy,
     ResultFormat::Npz,
-    ResultFormat::Dxf,
 ];
 
 /// So many coordinates are read as numbers of each kind.
@@ -296,10 +294,7 @@ fn write_result<S: Exact>(file: &GraphFile<S>, result: &Triangulation, node: &[u
             reads(format, &result_text(format, file, result), None);
         }
         for format in INPUTS.into_iter().skip(share % SHARE).step_by(SHARE) {
-            let has_vertices = !matches!(
-                format,
-                InputFormat::Geojson | InputFormat::Wkt | InputFormat::Dxf
-            );
+            let has_vertices = !matches!(format, InputFormat::Geojson | InputFormat::Wkt);
             if has_vertices || result.duplicates().len() == 0 {
                 assert_reads(
                     format,
