@@ -1,7 +1,7 @@
 //! `sweep-cdt generate`: data of many kinds, to try this and other programs with.
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use sweep_cdt_formats::{Column, GraphFile, InputFormat, write_graph};
+use sweep_cdt_formats::{Column, Format, GraphFile, write_graph};
 use sweep_cdt_generate::{KINDS, Kind};
 
 use crate::shared::failure::Failure;
@@ -34,8 +34,8 @@ pub(crate) struct Generate {
     output: FileArgument,
 
     /// Format of an output whose extension tells none [default for standard output: poly]
-    #[arg(long, value_name = "FORMAT", value_parser = format_parser::<InputFormat>())]
-    output_format: Option<InputFormat>,
+    #[arg(long, value_name = "FORMAT", value_parser = format_parser(Format::INPUTS))]
+    output_format: Option<Format>,
 }
 
 const AFTER_HELP: &str = "\
@@ -77,8 +77,8 @@ fn kind_parser() -> impl TypedValueParser<Value = Kind> {
 impl Generate {
     /// Runs the subcommand.
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        let poly = self.output.is_standard().then_some(InputFormat::Poly);
-        let format = format_of_output(&self.output, self.output_format.or(poly))?;
+        let poly = self.output.is_standard().then_some(Format::Poly);
+        let format = format_of_output(&self.output, self.output_format.or(poly), Format::INPUTS)?;
         let destination = Destination::of(&self.output)?;
         if !has_room(u64::from(self.points) * POINT) {
             return Err(Failure::Error("out of memory".to_owned()));

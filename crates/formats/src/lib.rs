@@ -25,11 +25,10 @@
 //!
 //! [Triangle]: https://www.cs.cmu.edu/~quake/triangle.html
 
-#[macro_use]
-mod named;
 mod order;
 
 mod coordinate;
+mod format;
 mod graph_file;
 mod polygons;
 mod read;
@@ -41,21 +40,21 @@ mod threads;
 mod write;
 
 pub use coordinate::{Coordinate, CoordinateError, MAX_DIGITS, MAX_EXPONENT, quotient};
+pub use format::Format;
 pub use graph_file::{Column, Faces, GraphFile, Numbering, sorted_pairs};
-pub use named::Named;
 pub use polygons::Polygons;
 pub use read::ply_parts as ply;
 pub use read::{
-    Input, InputFormat, Listed, Matched, Matching, Nearest, Precision, ReadError, ReadErrorKind,
-    ResultError, ResultFormat, Source, Triangles, WayOut, added_points, quoted, read, read_result,
+    Input, Listed, Matched, Matching, Nearest, Precision, ReadError, ReadErrorKind, ResultError,
+    Source, Triangles, WayOut, added_points, quoted, read, read_result,
 };
 pub use remark::Remark;
 pub use seeds::locate_seeds;
 pub use split::Splitting;
 pub use system::CoordinateSystem;
 pub use write::{
-    CrossingsFormat, OutputFormat, not_written, write, write_certificate, write_crossings,
-    write_graph, write_interior, write_lines, write_node, write_violations,
+    not_written, write, write_certificate, write_crossings, write_graph, write_interior,
+    write_lines, write_node, write_violations,
 };
 
 /// The example of the README, as a test.

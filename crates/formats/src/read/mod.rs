@@ -51,11 +51,11 @@ pub mod ply_parts {
     pub use super::binary::{Kind, Number};
     pub use super::ply_header::{Element, Encoding, Header, Property};
 }
-pub use input::{Input, InputFormat, read};
+pub use input::{Input, read};
 pub use listed::Listed;
 pub use matched::Matched;
 pub use matching::Matching;
 pub use refusal::{Nearest, ResultError, WayOut};
-pub use result::{ResultFormat, Triangles, added_points, read_result};
+pub use result::{Triangles, added_points, read_result};
 pub use source::{ReadError, ReadErrorKind, Source, quoted};
 pub use written::Precision;

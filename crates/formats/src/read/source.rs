@@ -5,10 +5,10 @@ use std::fmt;
 /// A file in memory.
 ///
 /// ```
-/// use sweep_cdt_formats::{Input, InputFormat, Source, read};
+/// use sweep_cdt_formats::{Format, Input, Source, read};
 ///
 /// let source = Source::new("two.node", b"2 2 0 0\n1 0 0\n2 1 0.5\n");
-/// assert!(matches!(read(InputFormat::Node, &source, None), Ok(Input::Doubles(_))));
+/// assert!(matches!(read(Format::Node, &source, None), Ok(Input::Doubles(_))));
 /// ```
 #[derive(Clone, Debug)]
 pub struct Source {
@@ -133,10 +133,10 @@ pub(super) fn split_line(text: &[u8]) -> (&[u8], &[u8]) {
 /// Where a file is wrong, and how: `file:line:column: message`.
 ///
 /// ```
-/// use sweep_cdt_formats::{InputFormat, Source, read};
+/// use sweep_cdt_formats::{Format, Source, read};
 ///
 /// let source = Source::new("a.node", b"1\n0 0 zero");
-/// let error = read(InputFormat::Node, &source, None).unwrap_err();
+/// let error = read(Format::Node, &source, None).unwrap_err();
 /// assert_eq!(error.to_string(), "a.node:2: `zero` is not a coordinate");
 /// assert_eq!(error.line, Some(2));
 /// ```
