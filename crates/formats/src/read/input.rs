@@ -7,10 +7,11 @@ use crate::read::content::{Edges, Vertices};
 use crate::read::matching::find;
 use crate::read::numpy::Arrays;
 use crate::read::remarks::Remarks;
+use crate::read::shapes::{geojson, wkt};
 use crate::read::source::{ReadError, Source};
 use crate::read::vtu::Unpacked;
-use crate::read::{geojson, msh, ply, vtk, wkt};
-use crate::read::{json, obj, off, points, triangle};
+use crate::read::{json, obj, off, text, triangle};
+use crate::read::{msh, ply, vtk};
 use crate::{Column, Coordinate, CoordinateError, Format, GraphFile, Numbering};
 use sweep_cdt::{Pslg, Region};
 
@@ -76,7 +77,7 @@ pub fn read(format: Format, source: &Source, node: Option<&Source>) -> Result<In
         },
         Format::Obj => obj::read(source)?.into_graph()?,
         Format::Off => off::read(source)?.into_graph()?,
-        Format::Csv | Format::Xyz | Format::Txt => points::read(source)?,
+        Format::Csv | Format::Xyz | Format::Txt => text::read(source)?,
         Format::Ply => ply::read(source)?.into_graph()?,
         Format::Vtk => vtk::read(source)?.into_graph()?,
         Format::Vtu | Format::Vtp => {

@@ -3,14 +3,15 @@
 use std::collections::HashSet;
 
 use crate::read::content::{Corners, Labels, Vertices};
-use crate::read::matched::Matched;
+use crate::read::matching::matched::Matched;
+use crate::read::matching::refusal::ResultError;
 use crate::read::matching::{self, Matching};
 use crate::read::numpy::Arrays;
-use crate::read::refusal::ResultError;
+use crate::read::shapes::{geojson, wkt};
 use crate::read::source::{ReadError, Source};
 use crate::read::vtu::Unpacked;
-use crate::read::{geojson, msh, ply, stl, vtk, wkt};
 use crate::read::{json, obj, off, triangle};
+use crate::read::{msh, ply, stl, vtk};
 use crate::{Coordinate, CoordinateError, Format, GraphFile};
 use sweep_cdt::Pslg;
 use sweep_cdt::verify::{Offenders, Violation};

@@ -4,6 +4,9 @@
 //! is not closed is closed. Equal points become one vertex ([`read`](crate::read())). Which ring is whose hole goes along
 //! ([`Polygons`]). A result takes the polygons, which must be triangles, and nothing else; its corners are found in the input by their coordinates.
 
+pub(super) mod geojson;
+pub(super) mod wkt;
+
 use std::ops::Range;
 
 use crate::read::content::{Corners, Edges, Labels, Syntax, Vertices};

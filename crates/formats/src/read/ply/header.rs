@@ -91,7 +91,10 @@ impl Element<'_> {
 }
 
 /// Reads the header, and leaves `lines` at what follows it.
-pub(super) fn read<'a>(source: &'a Source, lines: &mut Lines<'a>) -> Result<Header<'a>, ReadError> {
+pub(in crate::read) fn read<'a>(
+    source: &'a Source,
+    lines: &mut Lines<'a>,
+) -> Result<Header<'a>, ReadError> {
     let missing = |what: &'static str| move || what.to_owned();
     let mut first = lines.expect_line(missing("`ply`"))?;
     if first.token() != Some(b"ply") {
