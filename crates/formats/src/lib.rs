@@ -46,15 +46,15 @@ pub use polygons::Polygons;
 pub use read::ply_parts as ply;
 pub use read::{
     Input, Listed, Matched, Matching, Nearest, Precision, ReadError, ReadErrorKind, ResultError,
-    Source, Triangles, WayOut, added_points, quoted, read, read_result,
+    Source, Triangles, WayOut, added_points, quoted, read, read_result, reason,
 };
 pub use remark::Remark;
 pub use seeds::locate_seeds;
 pub use split::Splitting;
 pub use system::CoordinateSystem;
 pub use write::{
-    not_written, write, write_certificate, write_crossings, write_graph, write_interior,
-    write_lines, write_node, write_violations,
+    json_coordinate, not_written, write, write_certificate, write_crossings, write_graph,
+    write_interior, write_lines, write_node, write_violations,
 };
 
 /// The example of the README, as a test.

@@ -8,9 +8,9 @@ use std::path::{Path, PathBuf};
 
 use bytesize::ByteSize;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use sweep_cdt_formats::{Coordinate, Format, GraphFile, ReadError, Remark, Source};
+use sweep_cdt_formats::{Coordinate, Format, GraphFile, ReadError, Remark, Source, reason};
 
-use super::failure::{Failure, note, printable, reason};
+use super::failure::{Failure, note, printable};
 use super::resources::has_room;
 use super::unread;
 

@@ -37,4 +37,4 @@ pub use matching::matched::Matched;
 pub use matching::refusal::{Nearest, ResultError, WayOut};
 pub use matching::written::Precision;
 pub use result::{Triangles, added_points, read_result};
-pub use source::{ReadError, ReadErrorKind, Source, quoted};
+pub use source::{ReadError, ReadErrorKind, Source, quoted, reason};

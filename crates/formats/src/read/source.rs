@@ -1,6 +1,6 @@
 //! Files in memory, and where one is wrong.
 
-use std::fmt;
+use std::{fmt, io};
 
 /// A file in memory.
 ///
@@ -222,6 +222,14 @@ pub fn quoted(piece: &[u8]) -> String {
         ""
     };
     format!("`{short}{dots}`")
+}
+
+/// The system's message without its error number.
+#[must_use]
+pub fn reason(error: &io::Error) -> String {
+    let text = error.to_string();
+    let text = text.split(" (os error").next().unwrap_or(&text);
+    text.to_lowercase()
 }
 
 /// The message that an edge names a vertex which is not there, and what numbers there are.

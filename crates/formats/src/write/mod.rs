@@ -22,6 +22,7 @@ use std::io::{self, Write};
 
 pub use certificate::write_certificate;
 pub use crossings::write_crossings;
+pub use json::json_coordinate;
 pub use lines::write_lines;
 pub use losses::not_written;
 pub use rows::write_node;
@@ -97,33 +98,25 @@ pub fn write_interior<S: Coordinate>(
     out: &mut impl Write,
 ) -> io::Result<()> {
     expect_room(format, interior.triangulation().len())?;
+    let mesh = || Mesh::of(file, interior);
+    let labelled = || mesh().with_labels(interior);
     match format {
         Format::Ele => rows::write_ele(file, interior, out),
         Format::Node => write_node(file, out),
         Format::Json => json::write_interior(file, interior, out),
         Format::Cert => write_certified(file, interior, out),
-        Format::Obj => Mesh::of(file, interior).with_sides(interior).write_obj(out),
-        Format::Off => Mesh::of(file, interior).write_off(out),
-        Format::Ply => Mesh::of(file, interior)
-            .with_labels(interior)
-            .write_ply(out),
-        Format::Vtk => Mesh::of(file, interior)
-            .with_labels(interior)
-            .write_vtk(out),
-        Format::Vtu => Mesh::of(file, interior)
-            .with_labels(interior)
-            .write_vtu(out),
-        Format::Vtp => Mesh::of(file, interior)
-            .with_labels(interior)
-            .write_vtp(out),
-        Format::Msh => Mesh::of(file, interior)
-            .with_labels(interior)
-            .write_msh(out),
-        Format::Stl => Mesh::of(file, interior).write_stl(out),
+        Format::Obj => mesh().with_sides(interior).write_obj(out),
+        Format::Off => mesh().write_off(out),
+        Format::Ply => labelled().write_ply(out),
+        Format::Vtk => labelled().write_vtk(out),
+        Format::Vtu => labelled().write_vtu(out),
+        Format::Vtp => labelled().write_vtp(out),
+        Format::Msh => labelled().write_msh(out),
+        Format::Stl => mesh().write_stl(out),
         Format::Geojson => shapes::write_geojson(file, interior, out),
         Format::Wkt => shapes::write_wkt(file, interior, out),
-        Format::Npy => Mesh::of(file, interior).write_triangles(out),
-        Format::Npz => Mesh::of(file, interior).write_npz(true, out),
+        Format::Npy => mesh().write_triangles(out),
+        Format::Npz => mesh().write_npz(true, out),
         _ => Err(unsupported(format, "triangulation")),
     }
 }
@@ -193,23 +186,24 @@ pub fn write_graph<S: Coordinate>(
     file: &GraphFile<S>,
     out: &mut impl Write,
 ) -> io::Result<()> {
+    let mesh = || Mesh::of_graph(file);
     match format {
         Format::Node => write_node(file, out),
         Format::Poly => rows::write_poly(file, out),
         Format::Json => json::write_graph(file, out),
-        Format::Obj => Mesh::of_graph(file).write_obj(out),
-        Format::Off => Mesh::of_graph(file).write_off(out),
+        Format::Obj => mesh().write_obj(out),
+        Format::Off => mesh().write_off(out),
         Format::Csv => points::write(file, b',', out),
         Format::Xyz | Format::Txt => points::write(file, b' ', out),
-        Format::Ply => Mesh::of_graph(file).write_ply(out),
-        Format::Vtk => Mesh::of_graph(file).write_vtk(out),
-        Format::Vtu => Mesh::of_graph(file).write_vtu(out),
-        Format::Vtp => Mesh::of_graph(file).write_vtp(out),
-        Format::Msh => Mesh::of_graph(file).write_msh(out),
+        Format::Ply => mesh().write_ply(out),
+        Format::Vtk => mesh().write_vtk(out),
+        Format::Vtu => mesh().write_vtu(out),
+        Format::Vtp => mesh().write_vtp(out),
+        Format::Msh => mesh().write_msh(out),
         Format::Geojson => shapes::write_geojson_graph(file, out),
         Format::Wkt => shapes::write_wkt_graph(file, out),
-        Format::Npy => Mesh::of_graph(file).write_points(out),
-        Format::Npz => Mesh::of_graph(file).write_npz(false, out),
+        Format::Npy => mesh().write_points(out),
+        Format::Npz => mesh().write_npz(false, out),
         _ => Err(unsupported(format, "graph")),
     }
 }
