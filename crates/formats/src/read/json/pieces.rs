@@ -9,15 +9,15 @@ use serde_json::value::RawValue;
 use crate::read::source::{ReadError, Source, quoted};
 
 /// A JSON file, member by member.
-pub(in crate::read) struct File<'a> {
+pub(crate) struct File<'a> {
     source: &'a Source,
-    pub(in crate::read) whole: &'a RawValue,
+    pub(crate) whole: &'a RawValue,
     /// In their order, and with those that are there twice.
-    pub(in crate::read) members: Vec<(String, &'a RawValue)>,
+    pub(crate) members: Vec<(String, &'a RawValue)>,
 }
 
 impl<'a> File<'a> {
-    pub(in crate::read) fn new(source: &'a Source) -> Result<File<'a>, ReadError> {
+    pub(crate) fn new(source: &'a Source) -> Result<File<'a>, ReadError> {
         let text = source.text()?;
         let whole: Result<&RawValue, _> = serde_json::from_slice(text);
         let whole = whole.map_err(|error| no_json(source, text, &error))?;
@@ -38,17 +38,13 @@ impl<'a> File<'a> {
     }
 
     /// A fault of a piece of the file.
-    pub(in crate::read) fn fault(&self, piece: &RawValue, message: impl Into<String>) -> ReadError {
+    pub(crate) fn fault(&self, piece: &RawValue, message: impl Into<String>) -> ReadError {
         fault(self.source, piece, message)
     }
 }
 
 /// A fault of a piece of a file.
-pub(in crate::read) fn fault(
-    source: &Source,
-    piece: &RawValue,
-    message: impl Into<String>,
-) -> ReadError {
+pub(crate) fn fault(source: &Source, piece: &RawValue, message: impl Into<String>) -> ReadError {
     let (line, column) = source.position(piece.get().as_bytes());
     ReadError {
         column: Some(column),
@@ -58,7 +54,7 @@ pub(in crate::read) fn fault(
 
 /// The JSON texts of a file: one, or several one after the other, each of them after a record separator (RFC 8142) or on
 /// lines of its own.
-pub(in crate::read) fn texts(source: &Source) -> Result<Vec<&RawValue>, ReadError> {
+pub(crate) fn texts(source: &Source) -> Result<Vec<&RawValue>, ReadError> {
     const SEPARATOR: u8 = 0x1e;
     let mut texts = Vec::new();
     let mut rest = source.text()?;
@@ -82,11 +78,7 @@ pub(in crate::read) fn texts(source: &Source) -> Result<Vec<&RawValue>, ReadErro
 const EMPTY: &str = "the file is empty";
 
 /// The error that `text`, the file or the rest of it, is no JSON, or not all of it. Serde counts lines by line feeds alone.
-pub(in crate::read) fn no_json(
-    source: &Source,
-    text: &[u8],
-    error: &serde_json::Error,
-) -> ReadError {
+pub(crate) fn no_json(source: &Source, text: &[u8], error: &serde_json::Error) -> ReadError {
     if text.trim_ascii().is_empty() {
         return source.error_in_line(1, EMPTY);
     }
@@ -121,7 +113,7 @@ fn word_at(text: &[u8], at: usize) -> &[u8] {
 }
 
 /// The members of the object that a text is, if it is one.
-pub(in crate::read) fn members(text: &[u8]) -> Option<Vec<(String, &RawValue)>> {
+pub(crate) fn members(text: &[u8]) -> Option<Vec<(String, &RawValue)>> {
     // Serde would take a list for an object without names.
     let text = Some(text.trim_ascii_start()).filter(|text| text.starts_with(b"{"));
     let Members(members) = serde_json::from_slice(text?).ok()?;
@@ -156,9 +148,9 @@ impl<'de> Visitor<'de> for MembersVisitor {
 }
 
 /// Coordinates, and a height if there is one.
-pub(in crate::read) struct Position<'a>(
-    pub(in crate::read) [&'a RawValue; 2],
-    pub(in crate::read) Option<&'a RawValue>,
+pub(crate) struct Position<'a>(
+    pub(crate) [&'a RawValue; 2],
+    pub(crate) Option<&'a RawValue>,
 );
 
 impl<'de: 'a, 'a> Deserialize<'de> for Position<'a> {
