@@ -6,18 +6,17 @@ use num_rational::BigRational;
 use sweep_cdt::verify::verify;
 use sweep_cdt::{Pslg, triangulate};
 use sweep_cdt_formats::{
-    GraphFile, Matched, Matching, ResultError, ResultFormat, Source, Triangles, read_result,
+    Format, GraphFile, Matched, Matching, ResultError, Source, Triangles, read_result,
 };
 use sweep_cdt_testing::Random;
 
 type Points = Vec<[f64; 2]>;
 
-pub(crate) const FORMATS: [ResultFormat; 3] =
-    [ResultFormat::Ele, ResultFormat::Json, ResultFormat::Obj];
+pub(crate) const FORMATS: [Format; 3] = [Format::Ele, Format::Json, Format::Obj];
 
 /// The files of a result, with coordinates as `number` writes them; the second is a `.node`.
 pub(crate) fn files(
-    format: ResultFormat,
+    format: Format,
     points: &[[f64; 2]],
     triangles: &[[usize; 3]],
     number: impl Fn(f64) -> String,
@@ -42,15 +41,15 @@ pub(crate) fn files(
     let list = list.join(",\n");
     let json = format!("{{\"points\": [{list}], \"triangles\": {triangles:?}}}");
     match format {
-        ResultFormat::Ele => (source("r.ele", ele), Some(source("r.node", node))),
-        ResultFormat::Json => (source("r.json", json), None),
+        Format::Ele => (source("r.ele", ele), Some(source("r.node", node))),
+        Format::Json => (source("r.json", json), None),
         _ => (source("r.obj", obj), None),
     }
 }
 
 fn read(
     matching: Matching,
-    format: ResultFormat,
+    format: Format,
     points: &[[f64; 2]],
     number: impl Fn(f64) -> String,
     input: &[[f64; 2]],
@@ -240,7 +239,7 @@ fn roundings_agree_in_as_many_digits_as_there_are() {
     for (exact, text, expected) in ROUNDED {
         // A vertex that is no vertex of the input keeps it from being matched by coordinates.
         let input = [[exact, 1.5], [0.0, 0.5], [7.0, 0.0]];
-        for format in [ResultFormat::Ele, ResultFormat::Obj] {
+        for format in [Format::Ele, Format::Obj] {
             let number = |x: f64| match x.to_bits() == exact.to_bits() {
                 true => text.to_owned(),
                 false => x.to_string(),
@@ -258,13 +257,7 @@ fn a_tolerance_is_kept_to_the_last_bit() {
     own[1][0] = -0.25;
     let with = |tolerance| {
         let matching = Matching::new().tolerance(tolerance);
-        read(
-            matching,
-            ResultFormat::Json,
-            &own,
-            |x| x.to_string(),
-            &input,
-        )
+        read(matching, Format::Json, &own, |x| x.to_string(), &input)
     };
     let matched = with(0.25).map(|result| result.matched);
     assert_eq!(matched, Ok(Matched::Near { difference: 0.25 }));

@@ -5,7 +5,7 @@ use std::io::Write;
 use num_rational::BigRational;
 use sweep_cdt::crossings::Exact;
 use sweep_cdt::scalar::Scalar;
-use sweep_cdt_formats::{Coordinate, GraphFile, Input, InputFormat, write_lines};
+use sweep_cdt_formats::{Coordinate, Format, GraphFile, Input, write_lines};
 use sweep_cdt_terrain::{Contour, LevelsError, Surface, levels};
 
 use crate::shared::failure::Failure;
@@ -37,8 +37,8 @@ pub(crate) struct Contours {
     output: Option<FileArgument>,
 
     /// Format of standard output, and of an output whose extension tells none
-    #[arg(long, value_name = "FORMAT", value_parser = format_parser::<InputFormat>())]
-    output_format: Option<InputFormat>,
+    #[arg(long, value_name = "FORMAT", value_parser = format_parser(Format::INPUTS))]
+    output_format: Option<Format>,
 }
 
 const AFTER_HELP: &str = "\
@@ -75,7 +75,7 @@ impl Contours {
             return Err(Failure::Usage(format!("--every: {error}")));
         }
         let target = |file: &FileArgument| -> Result<_, Failure> {
-            let format = format_of_output(file, self.output_format)?;
+            let format = format_of_output(file, self.output_format, Format::INPUTS)?;
             Ok((format, Destination::of(file)?))
         };
         let target = self.output.as_ref().map(target).transpose()?;
@@ -91,7 +91,7 @@ impl Contours {
     fn write<S: Coordinate + Exact>(
         &self,
         file: &GraphFile<S>,
-        target: Option<(InputFormat, Destination)>,
+        target: Option<(Format, Destination)>,
     ) -> Result<(), Failure> {
         let name = self.terrain.name();
         let (lines, summary) = self.terrain.surface(file, self)?;

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use num_rational::BigRational;
 use sweep_cdt::crossings::{Crossing, Exact, crossings};
 use sweep_cdt_draw::CrossingsPicture;
-use sweep_cdt_formats::{Coordinate, CrossingsFormat, GraphFile, Input, write_crossings};
+use sweep_cdt_formats::{Coordinate, Format, GraphFile, Input, write_crossings};
 
 use crate::shared::arguments::InputArgs;
 use crate::shared::failure::Failure;
@@ -33,8 +33,8 @@ pub(crate) struct Crossings {
     output: Option<FileArgument>,
 
     /// Format of standard output, and of an output whose extension tells none
-    #[arg(long, value_name = "FORMAT", value_parser = format_parser::<CrossingsFormat>())]
-    output_format: Option<CrossingsFormat>,
+    #[arg(long, value_name = "FORMAT", value_parser = format_parser(Format::CROSSINGS))]
+    output_format: Option<Format>,
 
     /// Print the exact points too, as fractions
     #[arg(long)]
@@ -65,7 +65,7 @@ impl Crossings {
     /// Runs the subcommand.
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let target = |file: &FileArgument| -> Result<_, Failure> {
-            let format = format_of_output(file, self.output_format)?;
+            let format = format_of_output(file, self.output_format, Format::CROSSINGS)?;
             Ok((format, Destination::of(file)?))
         };
         let list = self.output.as_ref().map(target).transpose()?;
@@ -84,7 +84,7 @@ impl Crossings {
     fn list<S: Coordinate + Exact>(
         &self,
         file: &GraphFile<S>,
-        list: Option<(CrossingsFormat, Destination)>,
+        list: Option<(Format, Destination)>,
         svg: Option<Destination>,
     ) -> Result<(), Failure> {
         let name = self.input.name();

@@ -1,7 +1,7 @@
 //! `sweep-cdt generate`: data of many kinds, to try this and other programs with.
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use sweep_cdt_formats::{Column, GraphFile, InputFormat, write_graph};
+use sweep_cdt_formats::{Column, Format, GraphFile, write_graph};
 use sweep_cdt_generate::{KINDS, Kind};
 
 use crate::shared::failure::Failure;
@@ -28,14 +28,14 @@ pub(crate) struct Generate {
     #[arg(long, value_name = "SEED", default_value_t = 1)]
     seed: u64,
 
-    /// File to write: .poly, .node, .json, .obj, .off, .csv, .xyz, .txt, .ply, .vtk, .vtu, .vtp, .msh, .geojson, .wkt, .npy,
-    /// .npz or .dxf; `-` for standard output
+    /// File to write: .poly, .node, .json, .obj, .off, .csv, .xyz, .txt, .ply, .vtk, .vtu, .vtp, .msh, .geojson, .wkt, .npy
+    /// or .npz; `-` for standard output
     #[arg(short, long, value_name = "OUTPUT", default_value = "-")]
     output: FileArgument,
 
     /// Format of an output whose extension tells none [default for standard output: poly]
-    #[arg(long, value_name = "FORMAT", value_parser = format_parser::<InputFormat>())]
-    output_format: Option<InputFormat>,
+    #[arg(long, value_name = "FORMAT", value_parser = format_parser(Format::INPUTS))]
+    output_format: Option<Format>,
 }
 
 const AFTER_HELP: &str = "\
@@ -47,7 +47,7 @@ Output, which the other subcommands read; numbered from 0:
   .json    {\"points\": [[x, y], ...], \"edges\": [[i, j], ...]}
   .obj, .off, .ply, .vtk, .vtu, .vtp, .msh
            vertices and lines; z is 0 where there are no heights
-  .geojson, .wkt, .dxf
+  .geojson, .wkt
            points and lines
   .npz     arrays of NumPy: points and edges
   Contour lines have heights: an attribute of the vertices, or the third coordinate. Coordinates are
@@ -77,8 +77,8 @@ fn kind_parser() -> impl TypedValueParser<Value = Kind> {
 impl Generate {
     /// Runs the subcommand.
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        let poly = self.output.is_standard().then_some(InputFormat::Poly);
-        let format = format_of_output(&self.output, self.output_format.or(poly))?;
+        let poly = self.output.is_standard().then_some(Format::Poly);
+        let format = format_of_output(&self.output, self.output_format.or(poly), Format::INPUTS)?;
         let destination = Destination::of(&self.output)?;
         if !has_room(u64::from(self.points) * POINT) {
             return Err(Failure::Error("out of memory".to_owned()));

@@ -2,10 +2,7 @@
 
 use num_rational::BigRational;
 use sweep_cdt::crossings::Exact;
-use sweep_cdt_formats::{
-    Column, Coordinate, GraphFile, Input, InputFormat, Named, OutputFormat, not_written,
-    write_graph,
-};
+use sweep_cdt_formats::{Column, Coordinate, Format, GraphFile, Input, not_written, write_graph};
 use sweep_cdt_terrain::Surface;
 
 use crate::shared::arguments::InputArgs;
@@ -31,16 +28,16 @@ pub(crate) struct Heights {
     at: FileArgument,
 
     /// Format of the points [default: by the extension]
-    #[arg(long, value_name = "FORMAT", value_parser = format_parser::<InputFormat>())]
-    at_format: Option<InputFormat>,
+    #[arg(long, value_name = "FORMAT", value_parser = format_parser(Format::INPUTS))]
+    at_format: Option<Format>,
 
     /// File to write, in any format that `generate` writes; `-` for standard output
     #[arg(short, long, value_name = "OUTPUT", default_value = "-")]
     output: FileArgument,
 
     /// Format of standard output, and of an output whose extension tells none [default: that of the points]
-    #[arg(long, value_name = "FORMAT", value_parser = format_parser::<InputFormat>())]
-    output_format: Option<InputFormat>,
+    #[arg(long, value_name = "FORMAT", value_parser = format_parser(Format::INPUTS))]
+    output_format: Option<Format>,
 }
 
 const AFTER_HELP: &str = "\
@@ -67,7 +64,11 @@ impl Heights {
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let points = InputArgs::new(self.at.clone(), self.at_format).format_option("--at-format");
         let same = points.format()?;
-        let format = format_of_output(&self.output, self.output_format.or(Some(same)))?;
+        let format = format_of_output(
+            &self.output,
+            self.output_format.or(Some(same)),
+            Format::INPUTS,
+        )?;
         let destination = Destination::of(&self.output)?;
         let mut files = self.terrain.files();
         let terrain = self.terrain.read(&mut files)?;
@@ -97,7 +98,7 @@ impl Heights {
         &self,
         terrain: &GraphFile<S>,
         mut points: GraphFile<S>,
-        format: InputFormat,
+        format: Format,
         destination: Destination,
         files: &FilesRead,
     ) -> Result<(usize, usize), Failure> {
@@ -112,7 +113,7 @@ impl Heights {
         let counts = (heights.values.len(), heights.missing());
         points.columns.retain(|column| column.name != heights.name);
         points.columns.insert(0, heights);
-        if let Some(format) = OutputFormat::named(format.name()) {
+        if Format::OUTPUTS.contains(&format) {
             let losses = not_written(format, &points, None);
             if !losses.is_empty() {
                 let words = format!("not written: {}", losses.join(", "));

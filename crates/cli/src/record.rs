@@ -9,7 +9,7 @@ use hmac_sha256::Hash;
 use serde::Serialize;
 use serde_json::value::RawValue;
 use sweep_cdt::verify::{Depth, Depths};
-use sweep_cdt_formats::{Coordinate, GraphFile, Source, Triangles};
+use sweep_cdt_formats::{Coordinate, GraphFile, Source, Triangles, json_coordinate};
 
 use crate::shared::inside::Inside;
 use crate::shared::verification::{Answer, reached, report, violations};
@@ -155,7 +155,7 @@ pub(crate) fn write<S: Coordinate>(
         let vertices = subject.triangles.vertices_of(&file.graph, violation);
         let place = |v: usize| Place {
             vertex: v + file.numbering.vertex,
-            at: file.graph.points[v].each_ref().map(coordinate),
+            at: file.graph.points[v].each_ref().map(json_coordinate),
         };
         Item {
             class: violation.name(),
@@ -187,7 +187,7 @@ pub(crate) fn write<S: Coordinate>(
         vertices_matched: MatchedBy {
             by: matched.by(),
             because: matched.name(),
-            greatest_difference: matched.difference().as_ref().map(coordinate),
+            greatest_difference: matched.difference().as_ref().map(json_coordinate),
         },
         clockwise: report.clockwise,
         steiner: subject.steiner,
@@ -233,15 +233,4 @@ fn measured(answer: &Answer) -> Measured {
         greatest: depths.greatest.map(Depth::get),
         decades: decades.collect(),
     }
-}
-
-/// A finite coordinate: a number, or a string with a fraction.
-fn coordinate<S: Coordinate>(value: &S) -> Box<RawValue> {
-    let text = value.text();
-    let text = if text.contains('/') {
-        format!("\"{text}\"")
-    } else {
-        text
-    };
-    RawValue::from_string(text).expect("a finite number, or a string without special characters")
 }

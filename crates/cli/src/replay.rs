@@ -3,7 +3,7 @@
 use std::io::Write;
 
 use sweep_cdt::scalar::Scalar;
-use sweep_cdt_formats::{Coordinate, InputFormat};
+use sweep_cdt_formats::{Coordinate, Format};
 use sweep_cdt_trace::read_trace;
 use sweep_cdt_trace::{BadTrace, Trace};
 
@@ -31,8 +31,8 @@ pub(crate) struct Replay {
     input: Option<FileArgument>,
 
     /// Format of the input [default: by its extension]
-    #[arg(long, value_name = "FORMAT", requires = "input", value_parser = format_parser::<InputFormat>())]
-    input_format: Option<InputFormat>,
+    #[arg(long, value_name = "FORMAT", requires = "input", value_parser = format_parser(Format::INPUTS))]
+    input_format: Option<Format>,
 
     #[command(flatten)]
     reading: ReadingArgs,

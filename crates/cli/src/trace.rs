@@ -8,7 +8,7 @@ use sweep_cdt::scalar::Scalar;
 use sweep_cdt::trace::Event;
 use sweep_cdt::{Error, Pslg};
 use sweep_cdt_draw::{StepsPage, StepsSheet};
-use sweep_cdt_formats::{Coordinate, Named};
+use sweep_cdt_formats::{Coordinate, Format};
 use sweep_cdt_trace::write_trace;
 
 use crate::shared::arguments::InputArgs;
@@ -39,8 +39,8 @@ pub(crate) struct Trace {
     output: FileArgument,
 
     /// Format of an output whose extension tells none [default for standard output: txt]
-    #[arg(long, value_name = "FORMAT", value_parser = format_parser::<TraceFormat>())]
-    output_format: Option<TraceFormat>,
+    #[arg(long, value_name = "FORMAT", value_parser = format_parser(FORMATS))]
+    output_format: Option<Format>,
 
     /// First step to write, counted from 1
     #[arg(long, value_name = "K", default_value_t = NonZeroUsize::MIN)]
@@ -85,50 +85,13 @@ Examples:
   sweep-cdt trace terrain.poly -o steps.html --around vertex:17
   sweep-cdt trace terrain.poly -o steps.svg --from 120 --to 131";
 
-/// A format that `trace` writes, named by the extension of its files.
-#[derive(Clone, Copy)]
-enum TraceFormat {
-    Text,
-    JsonLines,
-    Page,
-    Sheet,
-}
+/// The formats that `trace` writes.
+const FORMATS: &[Format] = &[Format::Txt, Format::Jsonl, Format::Html, Format::Svg];
 
-impl Named for TraceFormat {
-    const ALL: &'static [TraceFormat] = &[
-        TraceFormat::Text,
-        TraceFormat::JsonLines,
-        TraceFormat::Page,
-        TraceFormat::Sheet,
-    ];
-
-    fn name(self) -> &'static str {
-        match self {
-            TraceFormat::Text => "txt",
-            TraceFormat::JsonLines => "jsonl",
-            TraceFormat::Page => "html",
-            TraceFormat::Sheet => "svg",
-        }
-    }
-}
-
-impl TraceFormat {
-    /// Whether all steps are needed: a picture shows the result of the steps before it, and a page says
-    /// how many steps there are.
-    fn needs_all(self) -> bool {
-        matches!(self, TraceFormat::Page | TraceFormat::Sheet)
-    }
-
-    /// The steps of `steps` that are written of a run with these events, and the step to show first.
-    fn chosen(self, steps: RangeInclusive<usize>, around: Option<usize>) -> RangeInclusive<usize> {
-        match (self, around) {
-            (TraceFormat::Sheet, Some(step)) => {
-                let first = step.saturating_sub(MOST_PANELS / 2).max(1);
-                first..=first + MOST_PANELS - 1
-            }
-            _ => steps,
-        }
-    }
+/// Whether a format needs all steps: a picture shows the result of the steps before it, and a page says how many steps
+/// there are.
+fn needs_all(format: Format) -> bool {
+    matches!(format, Format::Html | Format::Svg)
 }
 
 /// The panels of a sheet.
@@ -156,12 +119,12 @@ impl<S: Scalar> Written<'_, S> {
         }
     }
 
-    fn write(&mut self, format: TraceFormat, mut out: impl Write) -> io::Result<()> {
+    fn write(&mut self, format: Format, mut out: impl Write) -> io::Result<()> {
         match format {
-            TraceFormat::Text => self.trace().write_text(out),
-            TraceFormat::JsonLines => write_trace(&self.trace(), out),
-            TraceFormat::Page => self.page().write(&mut out),
-            TraceFormat::Sheet => StepsSheet::new(self.graph, &self.events)
+            Format::Txt => self.trace().write_text(out),
+            Format::Jsonl => write_trace(&self.trace(), out),
+            Format::Html => self.page().write(&mut out),
+            _ => StepsSheet::new(self.graph, &self.events)
                 .steps(self.steps.clone())
                 .most(MOST_PANELS)
                 .write(&mut out),
@@ -183,9 +146,9 @@ impl Trace {
             let message = format!("--to {last} is before --from {first}");
             return Err(Failure::Usage(message));
         }
-        let text = self.output.is_standard().then_some(TraceFormat::Text);
-        let format = format_of_output(&self.output, self.output_format.or(text))?;
-        if self.around.is_some() && !format.needs_all() {
+        let text = self.output.is_standard().then_some(Format::Txt);
+        let format = format_of_output(&self.output, self.output_format.or(text), FORMATS)?;
+        if self.around.is_some() && !needs_all(format) {
             let message = "--around is for .html and .svg; --from and --to are for all formats";
             return Err(Failure::Usage(message.to_owned()));
         }
@@ -206,7 +169,7 @@ impl Trace {
 struct Run<'a> {
     arguments: &'a Trace,
     destination: Destination,
-    format: TraceFormat,
+    format: Format,
 }
 
 impl Job for Run<'_> {
@@ -219,7 +182,7 @@ impl Job for Run<'_> {
         let mut step = 0;
         let observer = |event| {
             step += 1;
-            if self.format.needs_all() || (first..=last).contains(&step) {
+            if needs_all(self.format) || (first..=last).contains(&step) {
                 events.push(event);
             }
         };
@@ -246,16 +209,23 @@ impl Job for Run<'_> {
             }
             None => None,
         };
+        let steps = match (self.format, around) {
+            (Format::Svg, Some(step)) => {
+                let first = step.saturating_sub(MOST_PANELS / 2).max(1);
+                first..=first + MOST_PANELS - 1
+            }
+            _ => first..=last,
+        };
         let mut written = Written {
             graph,
             events,
-            steps: self.format.chosen(first..=last, around),
+            steps,
             around,
             refused,
         };
         let name = self.destination.name.display().to_string();
         let note = match self.format {
-            TraceFormat::Page => note(&name, &written.page().shown(), first..=last.min(step)),
+            Format::Html => note(&name, &written.page().shown(), first..=last.min(step)),
             _ => None,
         };
         let mut outputs = Outputs::default();

@@ -98,9 +98,9 @@ Input:
            points, one a row; the columns x, y and z, or lon, lat and so on, by their names, or in this order
   .npy, .npz
            points as an array of NumPy; or points and edges as arrays with these names
-  .geojson, .wkt, .dxf
+  .geojson, .wkt
            points, and lines and rings of polygons for edges; equal points become one vertex.
-           Of .geojson and .wkt the holes of each polygon are known (--inside polygons)
+           The holes of each polygon are known (--inside polygons)
   Heights (a third coordinate, or the first attribute of a vertex) and other columns of the vertices
   change nothing, and go with the vertices to the outputs that have room for them.
   A note says what else a file says, and what an output has no room for; see --strict.
@@ -120,8 +120,8 @@ Output, with the triangles always in the same order:
   .cert    a certificate for the proved checker (the folder proof of the repository): integers times a
            power of two, edges, all triangles, which of them are inside (by the rules hull, polygons,
            even-odd and nonzero), and hints
-  .geojson, .wkt, .dxf
-           a polygon for each triangle, in .geojson with its region or feature; in .dxf a 3DFACE
+  .geojson, .wkt
+           a polygon for each triangle, in .geojson with its region or feature
   .npy, .npz
            triangles as an array of NumPy; or points, edges and triangles as arrays with these names
   .svg, .png

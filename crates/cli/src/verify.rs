@@ -169,7 +169,7 @@ Result:
   .npy, .npz
            triangles as an array of NumPy, (t, 3) or (3t,), numbered from 0; or as arrays triangles,
            simplices or faces, with points or vertices, or without
-  .stl, .geojson, .wkt, .dxf
+  .stl, .geojson, .wkt
            triangles by the coordinates of their corners, and no others; .stl may be binary
   If the result has coordinates, its vertices are matched with those of the input by them, exactly
   and in any order. If it has none, they are matched by number. Rounded ones are matched by number

@@ -11,7 +11,8 @@ use std::io::BufWriter;
 
 use sweep_cdt::interior::FillRule;
 use sweep_cdt::{Pslg, triangulate};
-use sweep_cdt_draw::Output;
+use sweep_cdt_draw::write_interior;
+use sweep_cdt_formats::Format;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let path = std::env::args().nth(1).unwrap_or("star.svg".to_owned());
@@ -28,7 +29,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         ..Pslg::default()
     };
     let mut file = BufWriter::new(File::create(&path)?);
-    Output::Svg.write_interior(&graph.into(), &star, &mut file)?;
+    write_interior(Format::Svg, &graph.into(), &star, &mut file)?;
     println!("drawn to {path}");
     Ok(())
 }

@@ -21,7 +21,7 @@ mod violations;
 mod window;
 
 pub use crossings::CrossingsPicture;
-pub use output::Output;
+pub use output::{write, write_interior};
 pub use result::ResultPicture;
 pub use steps::{StepsPage, StepsSheet};
 pub use violations::ViolationsPicture;

@@ -23,13 +23,13 @@ const SPACING: f64 = 60.0;
 /// use sweep_cdt::Pslg;
 /// use sweep_cdt::verify::Verifier;
 /// use sweep_cdt_draw::ViolationsPicture;
-/// use sweep_cdt_formats::{GraphFile, ResultFormat, Source, read_result};
+/// use sweep_cdt_formats::{Format, GraphFile, Source, read_result};
 ///
 /// let points = vec![[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [0.0, 3.0]];
 /// let file = GraphFile::from(Pslg { points, edges: vec![[0, 2]], ..Pslg::default() });
 /// let bytes = br#"{"triangles": [[0, 1, 3], [1, 2, 3]]}"#.to_vec();
 /// let source = Source::new("other.json", bytes);
-/// let triangles = read_result(ResultFormat::Json, &source, None, &file)?;
+/// let triangles = read_result(Format::Json, &source, None, &file)?;
 /// let verdict = Verifier::new().verify(&file.graph.points, &file.graph.edges, &triangles.list);
 /// let violations = verdict.expect_err("the edge is missing");
 /// let mut picture = Vec::new();

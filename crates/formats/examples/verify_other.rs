@@ -10,7 +10,7 @@ use std::error::Error;
 use std::fs::File;
 
 use sweep_cdt::verify::Verifier;
-use sweep_cdt_formats::{Input, InputFormat, ResultFormat, Source, read, read_result};
+use sweep_cdt_formats::{Format, Input, Source, read, read_result};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut files = std::env::args().skip(1);
@@ -23,10 +23,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let points = source("peers/issue13.json")?;
     let triangles = source("peers/scipy_issue13.json")?;
 
-    let Input::Doubles(file) = read(InputFormat::Json, &points, None)? else {
+    let Input::Doubles(file) = read(Format::Json, &points, None)? else {
         return Err("the points are fractions".into());
     };
-    let triangles = read_result(ResultFormat::Json, &triangles, None, &file)?;
+    let triangles = read_result(Format::Json, &triangles, None, &file)?;
 
     // SciPy may list triangles clockwise.
     let verifier = Verifier::new().accept_clockwise(true);

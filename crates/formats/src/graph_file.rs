@@ -75,11 +75,11 @@ impl Numbering {
 /// Numbers that go with the vertices of a [`GraphFile`] and change nothing: one for each.
 ///
 /// ```
-/// use sweep_cdt_formats::{Input, InputFormat, Source, read};
+/// use sweep_cdt_formats::{Format, Input, Source, read};
 ///
 /// let bytes = b"2 2 1 0\n1 0 0 812.5\n2 1 0.5 790\n".to_vec();
 /// let source = Source::new("hill.node", bytes);
-/// let Input::Doubles(file) = read(InputFormat::Node, &source, None)? else {
+/// let Input::Doubles(file) = read(Format::Node, &source, None)? else {
 ///     unreachable!("no fraction in the file")
 /// };
 /// assert_eq!(file.columns[0].name, "z");
@@ -276,11 +276,11 @@ impl<S> GraphFile<S> {
     /// The first corner that is no vertex, as a position.
     ///
     /// ```
-    /// use sweep_cdt_formats::{Input, InputFormat, Source, read};
+    /// use sweep_cdt_formats::{Format, Input, Source, read};
     ///
     /// // An L, as one face of six corners.
     /// let text = "v 0 0\nv 4 0\nv 4 1\nv 1 1\nv 1 4\nv 0 4\nf 1 2 3 4 5 6\n";
-    /// let Input::Doubles(file) = read(InputFormat::Obj, &Source::new("l.obj", text), None)? else {
+    /// let Input::Doubles(file) = read(Format::Obj, &Source::new("l.obj", text), None)? else {
     ///     unreachable!("no fraction in the file")
     /// };
     /// assert!(file.graph.edges.is_empty());
@@ -356,16 +356,14 @@ impl<S> GraphFile<S> {
     /// format has no features.
     ///
     /// ```
-    /// use sweep_cdt_formats::{Input, InputFormat, Source, read};
+    /// use sweep_cdt_formats::{Format, Input, Source, read};
     ///
-    /// # #[cfg(feature = "mesh-formats")] {
     /// let text = "POINT (5 5) POLYGON ((0 0, 4 0, 0 4, 0 0), (1 1, 2 1, 1 2, 1 1)) LINESTRING (0 0, 9 9)";
-    /// let Input::Doubles(file) = read(InputFormat::Wkt, &Source::new("a.wkt", text), None)? else {
+    /// let Input::Doubles(file) = read(Format::Wkt, &Source::new("a.wkt", text), None)? else {
     ///     unreachable!("no fraction in the file")
     /// };
     /// let parts = [0, 3, 6].map(|edge| file.part_of(edge).unwrap());
     /// assert_eq!(parts, ["the outline of feature 2", "hole 1 of feature 2", "a line of feature 3"]);
-    /// # }
     /// # Ok::<(), sweep_cdt_formats::ReadError>(())
     /// ```
     pub fn part_of(&self, edge: usize) -> Option<String> {

@@ -8,14 +8,9 @@
 //! | `ele` | triangles, and the `node` beside it | triangles (Triangle's format) |
 //! | `obj`, `off` | vertices, lines and triangles | the same (Wavefront, Geomview) |
 //! | `csv`, `xyz`, `txt` | points and columns, a row for each point | the same; as `csv` also edges that cross, and `json` holds them too |
-//!
-//! With the feature `mesh-formats` there are more, most of them of other programs for meshes and maps:
-//!
-//! | name | read | written |
-//! |---|---|---|
 //! | `ply`, `vtk`, `vtu`, `vtp`, `msh` | vertices, lines and triangles | the same (Stanford, VTK, Gmsh) |
 //! | `stl` | triangles by their coordinates | the same |
-//! | `geojson`, `wkt`, `dxf` | points, lines, rings of polygons; or triangles | the same (maps, CAD) |
+//! | `geojson`, `wkt` | points, lines, rings of polygons; or triangles | the same (maps) |
 //! | `npy`, `npz` | arrays of points, edges and triangles | the same (NumPy) |
 //!
 //! Heights and other numbers that stand beside the coordinates of vertices are [`Column`]s of a [`GraphFile`], and are
@@ -30,13 +25,10 @@
 //!
 //! [Triangle]: https://www.cs.cmu.edu/~quake/triangle.html
 
-#[macro_use]
-mod named;
 mod order;
 
 mod coordinate;
-#[cfg(feature = "geo-types")]
-mod geo;
+mod format;
 mod graph_file;
 mod polygons;
 mod read;
@@ -48,24 +40,21 @@ mod threads;
 mod write;
 
 pub use coordinate::{Coordinate, CoordinateError, MAX_DIGITS, MAX_EXPONENT, quotient};
-#[cfg(feature = "geo-types")]
-pub use geo::{geo_graph, geo_triangles};
+pub use format::Format;
 pub use graph_file::{Column, Faces, GraphFile, Numbering, sorted_pairs};
-pub use named::Named;
 pub use polygons::Polygons;
-#[cfg(feature = "mesh-formats")]
 pub use read::ply_parts as ply;
 pub use read::{
-    Input, InputFormat, Listed, Matched, Matching, Nearest, Precision, ReadError, ReadErrorKind,
-    ResultError, ResultFormat, Source, Triangles, WayOut, added_points, quoted, read, read_result,
+    Input, Listed, Matched, Matching, Nearest, Precision, ReadError, ReadErrorKind, ResultError,
+    Source, Triangles, WayOut, added_points, quoted, read, read_result, reason,
 };
 pub use remark::Remark;
 pub use seeds::locate_seeds;
 pub use split::Splitting;
 pub use system::CoordinateSystem;
 pub use write::{
-    CrossingsFormat, OutputFormat, not_written, write, write_certificate, write_crossings,
-    write_graph, write_interior, write_lines, write_node, write_violations,
+    json_coordinate, not_written, write, write_certificate, write_crossings, write_graph,
+    write_interior, write_lines, write_node, write_violations,
 };
 
 /// The example of the README, as a test.

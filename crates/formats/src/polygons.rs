@@ -6,11 +6,10 @@ use sweep_cdt::interior::{Interior, InteriorError, Ring};
 /// The polygons of a file. Edges of no ring are lines, which bound nothing.
 ///
 /// ```
-/// use sweep_cdt_formats::{Input, InputFormat, Source, read};
+/// use sweep_cdt_formats::{Format, Input, Source, read};
 ///
 /// let text = "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 2 1, 2 2, 1 1)) LINESTRING (3 1, 3 3)";
-/// # #[cfg(feature = "mesh-formats")] {
-/// let Input::Doubles(file) = read(InputFormat::Wkt, &Source::new("one.wkt", text), None)? else {
+/// let Input::Doubles(file) = read(Format::Wkt, &Source::new("one.wkt", text), None)? else {
 ///     unreachable!("no fraction in the file")
 /// };
 /// let polygons = &file.polygons;
@@ -19,7 +18,6 @@ use sweep_cdt::interior::{Interior, InteriorError, Ring};
 ///
 /// let result = sweep_cdt::triangulate(&file.graph.points, &file.graph.edges)?;
 /// assert!(polygons.interior(&result)?.inside().len() < result.len());
-/// # }
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

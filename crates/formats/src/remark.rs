@@ -5,10 +5,10 @@ use std::fmt;
 /// Something about a file that its user should know.
 ///
 /// ```
-/// use sweep_cdt_formats::{Input, InputFormat, Remark, Source, read};
+/// use sweep_cdt_formats::{Format, Input, Remark, Source, read};
 ///
 /// let source = Source::new("one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1 2 3\n");
-/// let Input::Doubles(file) = read(InputFormat::Obj, &source, None)? else {
+/// let Input::Doubles(file) = read(Format::Obj, &source, None)? else {
 ///     unreachable!("no fraction in the file")
 /// };
 /// assert_eq!(file.remarks, [Remark::ignored(1, "line of `vt`", "lines of `vt`")]);

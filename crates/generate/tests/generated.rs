@@ -2,7 +2,7 @@
 
 use num_rational::BigRational;
 use sweep_cdt::{Pslg, Region, triangulate};
-use sweep_cdt_formats::{GraphFile, Input, InputFormat, Numbering, Source, read, write_graph};
+use sweep_cdt_formats::{Format, GraphFile, Input, Numbering, Source, read, write_graph};
 use sweep_cdt_generate::{KINDS, Kind};
 
 fn kind(name: &str) -> Kind {
@@ -90,7 +90,7 @@ fn parcels_and_contours_have_the_papers_ratio_of_edges_to_points() {
 }
 
 /// The graph that is read from a written one.
-fn again(format: InputFormat, file: &GraphFile<f64>) -> Input {
+fn again(format: Format, file: &GraphFile<f64>) -> Input {
     let mut bytes = Vec::new();
     write_graph(format, file, &mut bytes).expect("memory takes all that is written");
     let name = "written".to_owned();
@@ -100,17 +100,14 @@ fn again(format: InputFormat, file: &GraphFile<f64>) -> Input {
 #[test]
 fn a_written_graph_reads_as_the_same_one() {
     let file = GraphFile::from(kind("parcels").graph(500, 4));
-    for format in [InputFormat::Poly, InputFormat::Json] {
+    for format in [Format::Poly, Format::Json] {
         assert_eq!(again(format, &file), Input::Doubles(file.clone()));
     }
     let vertices = Pslg {
         points: file.graph.points.clone(),
         ..Pslg::default()
     };
-    assert_eq!(
-        again(InputFormat::Node, &file),
-        Input::Doubles(vertices.into())
-    );
+    assert_eq!(again(Format::Node, &file), Input::Doubles(vertices.into()));
 }
 
 /// With seeds, all things numbered from 1, and the lowest and highest doubles.
@@ -130,7 +127,7 @@ fn a_written_poly_holds_seeds_and_the_numbers_of_all_things() {
         numbering: Numbering::FROM_ONE,
         ..graph.into()
     };
-    assert_eq!(again(InputFormat::Poly, &file), Input::Doubles(file));
+    assert_eq!(again(Format::Poly, &file), Input::Doubles(file));
 }
 
 #[test]
@@ -145,11 +142,11 @@ fn a_written_poly_holds_fractions() {
     let file = graph.into();
     for (format, expected) in [
         (
-            InputFormat::Poly,
+            Format::Poly,
             "2 2 0 0\n0 1/3 -2/3\n1 2 5/3\n1 0\n0 0 1\n0\n",
         ),
         (
-            InputFormat::Json,
+            Format::Json,
             "{\n\"points\": [\n[\"1/3\",\"-2/3\"],\n[2,\"5/3\"]],\n\"edges\": [\n[0,1]]\n}\n",
         ),
     ] {

@@ -14,8 +14,7 @@ use std::process::Command;
 use base64::prelude::{BASE64_STANDARD, Engine};
 use flate2::Compression;
 use flate2::write::GzEncoder;
-use sweep_cdt_draw::Output;
-use sweep_cdt_formats::{InputFormat, Named};
+use sweep_cdt_formats::Format;
 use sweep_cdt_generate::KINDS;
 
 /// The platform of the program.
@@ -67,8 +66,8 @@ pub fn page(program: &Path) -> io::Result<String> {
         let file = |name| option(kind, name, &format!(".{name}"));
         names.into_iter().map(file).collect()
     };
-    let inputs: Vec<&str> = InputFormat::ALL.iter().map(|input| input.name()).collect();
-    let outputs = Output::ALL.iter().map(|output| output.name()).collect();
+    let inputs: Vec<&str> = Format::INPUTS.iter().map(|input| input.name()).collect();
+    let outputs = Format::OUTPUTS.iter().map(|output| output.name()).collect();
     let kinds = KINDS.iter().map(|kind| option("", kind.name, kind.name));
     let extensions: Vec<String> = inputs.iter().map(|name| format!(".{name}")).collect();
     let parts = [

@@ -8,8 +8,8 @@
 use std::path::Path;
 use std::time::Instant;
 
-use sweep_cdt_formats::{Named, ReadError};
-use sweep_cdt_stream::external::{Input, InputFormat, Sorting, open};
+use sweep_cdt_formats::ReadError;
+use sweep_cdt_stream::external::{FORMATS, Format, Input, Sorting, open};
 
 /// Points that are made when they are asked for.
 struct Made {
@@ -92,7 +92,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             let path = Path::new(&what);
             let extension = path.extension().and_then(|extension| extension.to_str());
             let format =
-                InputFormat::named(extension.unwrap_or_default()).ok_or("an unknown format")?;
+                Format::named(extension.unwrap_or_default(), FORMATS).ok_or("an unknown format")?;
             open(path, format, None)?
         }
     };

@@ -7,7 +7,7 @@ use std::str::FromStr;
 
 use serde_json::Value;
 use sweep_cdt::Pslg;
-use sweep_cdt_formats::{self as formats, InputFormat, Source};
+use sweep_cdt_formats::{self as formats, Format, Source};
 use sweep_cdt_generate::Kind;
 
 /// Points and edges, as [`sweep_cdt::triangulate`] takes them.
@@ -173,7 +173,7 @@ pub fn poly(path: &Path) -> Input {
 /// If they are no such file.
 pub fn poly_of(name: String, bytes: Vec<u8>) -> Input {
     let source = Source::new(name, bytes);
-    match formats::read(InputFormat::Poly, &source, None) {
+    match formats::read(Format::Poly, &source, None) {
         Ok(formats::Input::Doubles(file)) => file.graph.into(),
         Ok(formats::Input::Rationals(_)) => panic!("{}: fractions", source.name),
         Err(error) => panic!("{error}"),

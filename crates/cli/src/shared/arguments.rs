@@ -6,10 +6,9 @@ use std::path::Path;
 
 use sweep_cdt::Triangulation;
 use sweep_cdt::interior::Interior;
-use sweep_cdt_draw::Output;
+use sweep_cdt_draw::{write, write_interior};
 use sweep_cdt_formats::{
-    Coordinate, GraphFile, Input, InputFormat, OutputFormat, ReadErrorKind, ResultFormat, Source,
-    not_written, read, write_node,
+    Coordinate, Format, GraphFile, Input, ReadErrorKind, Source, not_written, read, write_node,
 };
 
 use super::failure::Failure;
@@ -21,14 +20,14 @@ use super::outputs::{Destination, Outputs, refuse_read, refuse_twice};
 /// Arguments that name an input.
 #[derive(clap::Args)]
 pub(crate) struct InputArgs {
-    /// File to read: .node, .poly, .json, .obj, .off, .csv, .xyz, .txt, .ply, .vtk, .vtu, .vtp, .msh, .geojson, .wkt, .npy,
-    /// .npz or .dxf; `-` for standard input
+    /// File to read: .node, .poly, .json, .obj, .off, .csv, .xyz, .txt, .ply, .vtk, .vtu, .vtp, .msh, .geojson, .wkt, .npy
+    /// or .npz; `-` for standard input
     #[arg(value_name = "INPUT")]
     pub(crate) input: FileArgument,
 
     /// Format of the input [default: by its extension]
-    #[arg(long, value_name = "FORMAT", value_parser = format_parser::<InputFormat>())]
-    input_format: Option<InputFormat>,
+    #[arg(long, value_name = "FORMAT", value_parser = format_parser(Format::INPUTS))]
+    input_format: Option<Format>,
 
     /// The option that gives the format, in messages.
     #[arg(skip = "--input-format")]
@@ -37,7 +36,7 @@ pub(crate) struct InputArgs {
 
 impl InputArgs {
     /// An input that another argument names.
-    pub(crate) fn new(input: FileArgument, input_format: Option<InputFormat>) -> InputArgs {
+    pub(crate) fn new(input: FileArgument, input_format: Option<Format>) -> InputArgs {
         InputArgs {
             input,
             input_format,
@@ -59,8 +58,13 @@ impl InputArgs {
     }
 
     /// The format of the input.
-    pub(crate) fn format(&self) -> Result<InputFormat, Failure> {
-        format_of_input(&self.input, self.format_option, self.input_format)
+    pub(crate) fn format(&self) -> Result<Format, Failure> {
+        format_of_input(
+            &self.input,
+            self.format_option,
+            self.input_format,
+            Format::INPUTS,
+        )
     }
 
     /// Reads the input; `show` is called with each file that is read.
@@ -93,18 +97,18 @@ impl InputArgs {
 #[derive(clap::Args)]
 pub(crate) struct ResultArgs {
     /// Triangulation of the input: .ele (and the .node beside it), .json, .obj, .off, .ply, .vtk, .vtu, .vtp, .msh, .stl,
-    /// .geojson, .wkt, .npy, .npz or .dxf; `-` for standard input
+    /// .geojson, .wkt, .npy or .npz; `-` for standard input
     #[arg(value_name = "RESULT")]
     pub(crate) result: FileArgument,
 
     /// Format of the result [default: by its extension]
-    #[arg(long, value_name = "FORMAT", value_parser = format_parser::<ResultFormat>())]
-    result_format: Option<ResultFormat>,
+    #[arg(long, value_name = "FORMAT", value_parser = format_parser(Format::RESULTS))]
+    result_format: Option<Format>,
 }
 
 /// A result in memory.
 pub(crate) struct ResultFiles {
-    pub(crate) format: ResultFormat,
+    pub(crate) format: Format,
     pub(crate) source: Source,
     /// The `.node` beside a `.ele`.
     pub(crate) node: Option<Source>,
@@ -117,11 +121,16 @@ impl ResultArgs {
         files: &mut FilesRead,
         mut show: impl FnMut(&Source),
     ) -> Result<ResultFiles, Failure> {
-        let format = format_of_input(&self.result, "--result-format", self.result_format)?;
+        let format = format_of_input(
+            &self.result,
+            "--result-format",
+            self.result_format,
+            Format::RESULTS,
+        )?;
         let source = files.load(&self.result)?;
         show(&source);
         let node = match format {
-            ResultFormat::Ele => self.result.beside("node").filter(FileArgument::exists),
+            Format::Ele => self.result.beside("node").filter(FileArgument::exists),
             _ => None,
         };
         let node = node
@@ -138,25 +147,25 @@ impl ResultArgs {
 /// Arguments that name outputs.
 #[derive(clap::Args)]
 pub(crate) struct OutputArgs {
-    /// File to write: .ele, .node, .json, .obj, .off, .ply, .vtk, .vtu, .vtp, .msh, .stl, .geojson, .wkt, .npy, .npz, .dxf,
+    /// File to write: .ele, .node, .json, .obj, .off, .ply, .vtk, .vtu, .vtp, .msh, .stl, .geojson, .wkt, .npy, .npz,
     /// .svg or .png; may be given several times; `-` for standard output
     #[arg(short, long = "output", value_name = "OUTPUT")]
     output: Vec<FileArgument>,
 
     /// Format of standard output, and of outputs whose extension tells none
-    #[arg(long, value_name = "FORMAT", value_parser = format_parser::<Output>())]
-    output_format: Option<Output>,
+    #[arg(long, value_name = "FORMAT", value_parser = format_parser(Format::OUTPUTS))]
+    output_format: Option<Format>,
 }
 
 /// A place to write to, and what.
 pub(crate) struct Target {
     pub(crate) destination: Destination,
-    format: Output,
+    format: Format,
 }
 
 impl Target {
     pub(crate) fn is_certificate(&self) -> bool {
-        matches!(self.format, Output::File(OutputFormat::Cert))
+        self.format == Format::Cert
     }
 
     /// What the format has no room for.
@@ -166,8 +175,8 @@ impl Target {
         domain: Option<&Interior<'_>>,
     ) -> Vec<String> {
         match self.format {
-            Output::File(format) => not_written(format, file, domain),
-            _ => Vec::new(),
+            Format::Svg | Format::Png => Vec::new(),
+            format => not_written(format, file, domain),
         }
     }
 
@@ -178,10 +187,10 @@ impl Target {
 
     /// Whether those who read the format may take a missing height for 0.
     pub(crate) fn asks_heights(&self) -> bool {
-        use OutputFormat::{Geojson, Msh, Obj, Off, Ply, Stl, Vtk, Vtp, Vtu, Wkt};
+        use Format::{Geojson, Msh, Obj, Off, Ply, Stl, Vtk, Vtp, Vtu, Wkt};
         matches!(
             self.format,
-            Output::File(Obj | Off | Ply | Vtk | Vtu | Vtp | Msh | Stl | Geojson | Wkt)
+            Obj | Off | Ply | Vtk | Vtu | Vtp | Msh | Stl | Geojson | Wkt
         )
     }
 }
@@ -191,7 +200,7 @@ impl OutputArgs {
     pub(crate) fn targets(&self) -> Result<Vec<Target>, Failure> {
         let target = |file| {
             Ok(Target {
-                format: format_of_output(file, self.output_format)?,
+                format: format_of_output(file, self.output_format, Format::OUTPUTS)?,
                 destination: Destination::of(file)?,
             })
         };
@@ -218,9 +227,7 @@ pub(crate) fn completed<S: Coordinate>(
 ) -> Result<Vec<Target>, Failure> {
     let paths = targets
         .iter()
-        .filter(|target| {
-            target.format == Output::File(OutputFormat::Ele) && target.destination.is_file()
-        })
+        .filter(|target| target.format == Format::Ele && target.destination.is_file())
         .map(|target| target.destination.name.with_extension("node"));
     for path in paths.collect::<Vec<_>>() {
         let is_target = |identity: &Identity| {
@@ -242,10 +249,9 @@ pub(crate) fn completed<S: Coordinate>(
         }
         let destination = Destination::of_path(path)?;
         if !destination.identity.as_ref().is_some_and(is_target) {
-            let format = Output::File(OutputFormat::Node);
             targets.push(Target {
                 destination,
-                format,
+                format: Format::Node,
             });
         }
     }
@@ -267,8 +273,8 @@ pub(crate) fn add<'a, S: Coordinate>(
             format,
         } = target;
         outputs.add(destination, move |out| match domain {
-            Some(domain) => format.write_interior(file, domain, out),
-            None => format.write(file, result, out),
+            Some(domain) => write_interior(format, file, domain, out),
+            None => write(format, file, result, out),
         })
     })
 }
@@ -284,7 +290,7 @@ fn holds_vertices<S: Coordinate>(path: &Path, file: &GraphFile<S>) -> bool {
     if source.bytes == text {
         return true;
     }
-    match read(InputFormat::Node, &source, None) {
+    match read(Format::Node, &source, None) {
         Ok(Input::Doubles(there)) => is_written(there, &text),
         Ok(Input::Rationals(there)) => is_written(there, &text),
         Err(_) => false,

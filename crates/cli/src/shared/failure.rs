@@ -14,7 +14,7 @@ use std::io::{self, Write};
 use std::path::Path;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use sweep_cdt_formats::{ReadError, ReadErrorKind};
+use sweep_cdt_formats::{ReadError, ReadErrorKind, reason};
 
 /// The words that the process prints, and how it exits.
 pub(crate) enum Failure {
@@ -53,15 +53,6 @@ pub(crate) fn way_out(error: &ReadError) -> &'static str {
         ReadErrorKind::UnpackedLimit { .. } => " (--unpacked-limit allows more)",
         _ => "",
     }
-}
-
-/// The system's message without its error number.
-pub(crate) fn reason(error: &io::Error) -> String {
-    let text = error.to_string();
-    text.split(" (os error")
-        .next()
-        .unwrap_or(&text)
-        .to_lowercase()
 }
 
 /// The text with its control characters escaped. File names may hold any of them but zero.

@@ -8,9 +8,9 @@ use std::path::{Path, PathBuf};
 
 use bytesize::ByteSize;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use sweep_cdt_formats::{Coordinate, GraphFile, Named, ReadError, Remark, Source};
+use sweep_cdt_formats::{Coordinate, Format, GraphFile, ReadError, Remark, Source, reason};
 
-use super::failure::{Failure, note, printable, reason};
+use super::failure::{Failure, note, printable};
 use super::resources::has_room;
 use super::unread;
 
@@ -69,51 +69,50 @@ impl FileArgument {
     }
 }
 
-/// Formats of a kind that arguments may name.
-pub(crate) trait Format: Named + Send + Sync {}
-
-impl<F: Named + Send + Sync> Format for F {}
-
-/// Reads the name of a format that is given by an option.
-pub(crate) fn format_parser<F: Format>() -> impl TypedValueParser<Value = F> {
-    PossibleValuesParser::new(names::<F>())
-        .map(|name| F::named(&name).expect("one of the possible values"))
+/// Reads the name of one of these formats that is given by an option.
+pub(crate) fn format_parser(formats: &'static [Format]) -> impl TypedValueParser<Value = Format> {
+    PossibleValuesParser::new(names(formats))
+        .map(|name| Format::named(&name, formats).expect("one of the possible values"))
 }
 
-/// The format of an input, which `option` may give.
-pub(crate) fn format_of_input<F: Format>(
+/// The format of an input, one of these, which `option` may give.
+pub(crate) fn format_of_input(
     file: &FileArgument,
     option: &str,
-    given: Option<F>,
-) -> Result<F, Failure> {
-    given.or_else(|| by_extension(file)).ok_or_else(|| {
-        let name = file.input_name();
-        if let Some(command) = file.path().and_then(unread::command) {
-            return Failure::Usage(format!(
-                "{name} is not read, but what this makes of it: {command}"
-            ));
-        }
-        let other = file.path().and_then(unread::other_name);
-        if let Some(format) = other.and_then(F::named) {
-            let format = format.name();
-            return Failure::Usage(format!(
-                "the format of {name} is not known by its name: add {option} {format}"
-            ));
-        }
-        let known = names::<F>().join(", ");
-        Failure::Usage(format!(
-            "the format of {name} is not known: add {option} with one of {known}"
-        ))
-    })
+    given: Option<Format>,
+    formats: &[Format],
+) -> Result<Format, Failure> {
+    given
+        .or_else(|| by_extension(file, formats))
+        .ok_or_else(|| {
+            let name = file.input_name();
+            if let Some(command) = file.path().and_then(unread::command) {
+                return Failure::Usage(format!(
+                    "{name} is not read, but what this makes of it: {command}"
+                ));
+            }
+            let other = file.path().and_then(unread::other_name);
+            if let Some(format) = other.and_then(|name| Format::named(name, formats)) {
+                let format = format.name();
+                return Failure::Usage(format!(
+                    "the format of {name} is not known by its name: add {option} {format}"
+                ));
+            }
+            let known = names(formats).join(", ");
+            Failure::Usage(format!(
+                "the format of {name} is not known: add {option} with one of {known}"
+            ))
+        })
 }
 
-/// The format of an output; `given` is that of outputs whose extension tells none.
-pub(crate) fn format_of_output<F: Format>(
+/// The format of an output, one of these; `given` is that of outputs whose extension tells none.
+pub(crate) fn format_of_output(
     file: &FileArgument,
-    given: Option<F>,
-) -> Result<F, Failure> {
-    by_extension(file).or(given).ok_or_else(|| {
-        let known = names::<F>().join(", ");
+    given: Option<Format>,
+    formats: &[Format],
+) -> Result<Format, Failure> {
+    by_extension(file, formats).or(given).ok_or_else(|| {
+        let known = names(formats).join(", ");
         let name = match file {
             FileArgument::Standard => "standard output".to_owned(),
             FileArgument::File(path) => path.display().to_string(),
@@ -124,12 +123,12 @@ pub(crate) fn format_of_output<F: Format>(
     })
 }
 
-fn by_extension<F: Format>(file: &FileArgument) -> Option<F> {
-    F::named(file.path()?.extension()?.to_str()?)
+fn by_extension(file: &FileArgument, formats: &[Format]) -> Option<Format> {
+    Format::named(file.path()?.extension()?.to_str()?, formats)
 }
 
-fn names<F: Format>() -> Vec<&'static str> {
-    F::ALL.iter().map(|format| format.name()).collect()
+fn names(formats: &[Format]) -> Vec<&'static str> {
+    formats.iter().map(|format| format.name()).collect()
 }
 
 /// Arguments that say how files are read.

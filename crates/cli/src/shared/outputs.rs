@@ -10,7 +10,9 @@ use std::fs::{self, Metadata, OpenOptions};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-use super::failure::{Failure, reason, undivided};
+use sweep_cdt_formats::reason;
+
+use super::failure::{Failure, undivided};
 use super::files::{FileArgument, FilesRead, Identity, standard_output};
 use super::unnamed::{Unnamed, folder};
 

@@ -11,6 +11,8 @@ enum Converter {
     Gdal,
     /// PDAL, for clouds of points.
     Pdal,
+    /// GDAL's too, for drawings of CAD as text.
+    Dxf,
     /// `LibreDWG`, for drawings of CAD.
     Dwg,
     /// `meshio`, for meshes.
@@ -22,7 +24,7 @@ enum Converter {
 }
 
 /// The extensions that are known, and what converts such a file.
-const KNOWN: [(Converter, &[&str]); 7] = [
+const KNOWN: [(Converter, &[&str]); 8] = [
     (
         Converter::Ogr,
         &[
@@ -50,6 +52,7 @@ const KNOWN: [(Converter, &[&str]); 7] = [
         ],
     ),
     (Converter::Pdal, &["las", "laz", "e57", "pcd", "bpf", "ptx"]),
+    (Converter::Dxf, &["dxf"]),
     (Converter::Dwg, &["dwg"]),
     (
         Converter::Meshio,
@@ -76,6 +79,10 @@ pub(super) fn command(path: &Path) -> Option<String> {
         Converter::Ogr => format!("ogr2ogr -f GeoJSON {} {file}", other("geojson")),
         Converter::Gdal => format!("gdal2xyz.py -skipnodata {file} {}", other("xyz")),
         Converter::Pdal => format!("pdal translate {file} {}", other("csv")),
+        Converter::Dxf => format!(
+            "ogr2ogr -f GeoJSON {} {file} (or ezdxf, in Python)",
+            other("geojson")
+        ),
         Converter::Dwg => format!("dwgread -O GeoJSON -o {} {file}", other("geojson")),
         Converter::Meshio => format!("meshio convert {file} {}", other("vtu")),
         Converter::Assimp => format!("assimp export {file} {}", other("obj")),

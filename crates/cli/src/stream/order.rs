@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use bytesize::ByteSize;
-use sweep_cdt_stream::external::{Error, Input, InputFormat, Sorting, SweepOrder, open};
+use sweep_cdt_stream::external::{Error, FORMATS, Format, Input, Sorting, SweepOrder, open};
 
 use crate::shared::failure::Failure;
 use crate::shared::files::{FileArgument, FilesRead, format_of_input, format_parser, size};
@@ -29,8 +29,8 @@ pub(crate) struct SortArgs {
     pub(crate) temporary: Option<PathBuf>,
 
     /// Format of the input, where its extension tells none
-    #[arg(long, value_name = "FORMAT", value_parser = format_parser::<InputFormat>())]
-    pub(crate) stream_format: Option<InputFormat>,
+    #[arg(long, value_name = "FORMAT", value_parser = format_parser(FORMATS))]
+    pub(crate) stream_format: Option<Format>,
 }
 
 /// An input that is sorted.
@@ -40,7 +40,7 @@ pub(super) struct Sorted {
     pub(super) first_point: u64,
     pub(super) first_edge: u64,
     path: PathBuf,
-    format: InputFormat,
+    format: Format,
 }
 
 impl Sorted {
@@ -88,7 +88,7 @@ impl SortArgs {
                 "a stream is read from a file, since its size must be known: write INPUT to a file";
             return Err(Failure::Usage(message.to_owned()));
         };
-        let format = format_of_input(input, "--stream-format", self.stream_format)?;
+        let format = format_of_input(input, "--stream-format", self.stream_format, FORMATS)?;
         let folder = self.temporary.clone().unwrap_or_else(std::env::temp_dir);
         let sorted = self.sort(path, format, &folder);
         sorted.map_err(|error| self.failure(&error))
@@ -109,7 +109,7 @@ impl SortArgs {
         })
     }
 
-    fn sort(&self, path: &Path, format: InputFormat, folder: &Path) -> Result<Sorted, Error> {
+    fn sort(&self, path: &Path, format: Format, folder: &Path) -> Result<Sorted, Error> {
         let mut input = open(path, format, self.edges.as_deref())?;
         let mut progress = Progress::new("sorting");
         let share = |bytes| usize::try_from(bytes).unwrap_or(usize::MAX);

@@ -298,12 +298,12 @@ fn a_missing_format_is_asked_for_by_its_option() {
         let message = text(&asked.stderr);
         let known = match name {
             "--input-format" => {
-                "node, poly, json, obj, off, csv, xyz, txt, ply, vtk, vtu, vtp, msh, geojson, wkt, npy, npz, dxf"
+                "node, poly, json, obj, off, csv, xyz, txt, ply, vtk, vtu, vtp, msh, geojson, wkt, npy, npz"
             }
             "--output-format" => {
-                "ele, node, json, cert, obj, off, ply, vtk, vtu, vtp, msh, stl, geojson, wkt, npy, npz, dxf, svg, png"
+                "ele, node, json, cert, obj, off, ply, vtk, vtu, vtp, msh, stl, geojson, wkt, npy, npz, svg, png"
             }
-            _ => "ele, json, obj, off, ply, vtk, vtu, vtp, msh, stl, geojson, wkt, npy, npz, dxf",
+            _ => "ele, json, obj, off, ply, vtk, vtu, vtp, msh, stl, geojson, wkt, npy, npz",
         };
         let advice = format!("is not known: add {name} with one of {known}\n");
         assert!(message.contains(&advice), "{message}");

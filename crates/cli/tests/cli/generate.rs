@@ -121,11 +121,11 @@ fn what_cannot_be_generated_is_refused() {
         ("uniform 5 --seed -1", "unexpected argument '-1' found"),
         (
             "uniform 5 -o a.svg",
-            "the format of a.svg is not known: add --output-format with one of node, poly, json, obj, off, csv, xyz, txt, ply, vtk, vtu, vtp, msh, geojson, wkt, npy, npz, dxf",
+            "the format of a.svg is not known: add --output-format with one of node, poly, json, obj, off, csv, xyz, txt, ply, vtk, vtu, vtp, msh, geojson, wkt, npy, npz",
         ),
         (
             "uniform 5 -o a",
-            "the format of a is not known: add --output-format with one of node, poly, json, obj, off, csv, xyz, txt, ply, vtk, vtu, vtp, msh, geojson, wkt, npy, npz, dxf",
+            "the format of a is not known: add --output-format with one of node, poly, json, obj, off, csv, xyz, txt, ply, vtk, vtu, vtp, msh, geojson, wkt, npy, npz",
         ),
     ] {
         assert_refused(&folder, &format!("generate {arguments}"), message);

@@ -86,7 +86,7 @@ fn what_a_format_has_room_for_is_written_and_the_rest_is_said() {
     let folder = folder(&[("all.json", ALL)]);
     let formats = [
         "node", "ele", "json", "cert", "obj", "off", "ply", "vtk", "vtu", "vtp", "msh", "stl",
-        "geojson", "wkt", "npy", "npz", "dxf",
+        "geojson", "wkt", "npy", "npz",
     ];
     for format in formats {
         // Of a `.ele` the vertices stand in the `.node` beside it.

@@ -7,7 +7,7 @@ use std::process::Output;
 
 use sweep_cdt::verify::Verifier;
 use sweep_cdt_draw::ViolationsPicture;
-use sweep_cdt_formats::{GraphFile, Input, InputFormat, ResultFormat, Source, read, read_result};
+use sweep_cdt_formats::{Format, GraphFile, Input, Source, read, read_result};
 use sweep_cdt_testing::Random;
 
 use crate::{FORMATS, assert_fails, folder, printed, printed_despite_losses, run, sweep_cdt};
@@ -180,15 +180,12 @@ fn control_characters_in_names_are_escaped() {
 }
 
 /// Results of `ten.poly`, to be damaged.
-const SEEDS: [(ResultFormat, &str); 4] = [
-    (ResultFormat::Ele, "3 3 0\n1 1 2 8\n2 2 3 8\n3 3 4 9\n"),
+const SEEDS: [(Format, &str); 4] = [
+    (Format::Ele, "3 3 0\n1 1 2 8\n2 2 3 8\n3 3 4 9\n"),
+    (Format::Json, r#"{"triangles": [[0,1,7],[1,2,7],[2,3,8]]}"#),
+    (Format::Json, r#"{"triangles": [0,1,7,1,2,7,2,3,8]}"#),
     (
-        ResultFormat::Json,
-        r#"{"triangles": [[0,1,7],[1,2,7],[2,3,8]]}"#,
-    ),
-    (ResultFormat::Json, r#"{"triangles": [0,1,7,1,2,7,2,3,8]}"#),
-    (
-        ResultFormat::Obj,
+        Format::Obj,
         "v 0 0 0\nv 6 0 0\nv 7.5 3.5 0\nf 1 2 3\nf 3/1 -1 2//4\n",
     ),
 ];
@@ -209,7 +206,7 @@ fn damaged_results_are_errors_or_violations() {
     }
 }
 
-fn try_all(format: ResultFormat, source: &Source, node: Option<&Source>, file: &GraphFile<f64>) {
+fn try_all(format: Format, source: &Source, node: Option<&Source>, file: &GraphFile<f64>) {
     let Ok(triangles) = read_result(format, source, node, file) else {
         return;
     };
@@ -237,7 +234,7 @@ fn source(bytes: Vec<u8>) -> Source {
 }
 
 fn load(name: &str) -> Input {
-    read(InputFormat::Poly, &source(bytes_of(name)), None).expect("a good file")
+    read(Format::Poly, &source(bytes_of(name)), None).expect("a good file")
 }
 
 /// The bytes with a few replaced, removed, repeated or put in.

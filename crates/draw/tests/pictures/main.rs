@@ -10,7 +10,7 @@ use sweep_cdt::trace::{Event, PointCase, PseudoPolygon, Vertex};
 use sweep_cdt::verify::Verifier;
 use sweep_cdt::{Algorithm, Pslg, Triangulator, Watch, triangulate};
 use sweep_cdt_draw::{ResultPicture, StepsSheet, ViolationsPicture};
-use sweep_cdt_formats::{GraphFile, Numbering, ResultFormat, Source, read_result};
+use sweep_cdt_formats::{Format, GraphFile, Numbering, Source, read_result};
 
 /// Compares with the snapshot of this name.
 fn assert_snapshot(name: &str, text: &str) {
@@ -97,7 +97,7 @@ fn violations() {
         numbering: Numbering::FROM_ONE,
         ..graph.clone().into()
     };
-    let triangles = read_result(ResultFormat::Json, &source, None, &file).expect("a result");
+    let triangles = read_result(Format::Json, &source, None, &file).expect("a result");
     let verdict = Verifier::new().verify(&graph.points, &graph.edges, &triangles.list);
     let violations = verdict.expect_err("a wrong result");
     let picture = ViolationsPicture::new(&file, &triangles, &violations.list);

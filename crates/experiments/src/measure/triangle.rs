@@ -13,7 +13,7 @@ use std::{fs, io};
 
 use sweep_cdt::Pslg;
 use sweep_cdt::verify::verify;
-use sweep_cdt_formats::{GraphFile, InputFormat, ResultFormat, Source, read_result, write_graph};
+use sweep_cdt_formats::{Format, GraphFile, Source, read_result, write_graph};
 use sweep_cdt_testing::Input;
 
 use super::row::{Row, Timed};
@@ -46,7 +46,7 @@ fn count(program: &Path, input: &Input, row: &mut Row) -> Result<(), Box<dyn Err
     let (folder, file) = (tempfile::tempdir()?, file(input));
     run(program, "-pcNP", folder.path(), &file)?;
     let source = Source::new(TRIANGLE, fs::read(folder.path().join("input.1.ele"))?);
-    let triangles = read_result(ResultFormat::Ele, &source, None, &file)?;
+    let triangles = read_result(Format::Ele, &source, None, &file)?;
     let report = verify(&input.points, &input.edges, &triangles.list)?;
     row.triangles = report.triangles;
     Ok(())
@@ -70,7 +70,7 @@ fn run(
 ) -> Result<String, Box<dyn Error>> {
     let path = folder.join("input.poly");
     let mut out = io::BufWriter::new(fs::File::create(&path)?);
-    write_graph(InputFormat::Poly, file, &mut out)?;
+    write_graph(Format::Poly, file, &mut out)?;
     io::Write::flush(&mut out)?;
     let output = Command::new(program).arg(options).arg(&path).output();
     let output = output.map_err(|error| format!("{}: {error}", program.display()))?;

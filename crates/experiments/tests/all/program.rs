@@ -8,7 +8,7 @@ use std::process::{Command, Output};
 use sweep_cdt::front::{Front, FrontInput, FrontNode, FrontSearch};
 use sweep_cdt_experiments::fronts::Structure;
 use sweep_cdt_experiments::{Contestant, run};
-use sweep_cdt_formats::{InputFormat, write_graph};
+use sweep_cdt_formats::{Format, write_graph};
 use sweep_cdt_generate::Kind;
 
 const PROGRAM: &str = env!("CARGO_BIN_EXE_sweep-cdt-experiments");
@@ -233,7 +233,7 @@ fn a_file_of_ones_own_is_a_cell() {
         .graph(200, 5)
         .into();
     let mut text = Vec::new();
-    write_graph::<f64>(InputFormat::Poly, &segments, &mut text).expect("memory takes all");
+    write_graph::<f64>(Format::Poly, &segments, &mut text).expect("memory takes all");
     fs::write(&file, text).expect("a file");
     let out = folder.path().join("out");
     let arguments = [

@@ -7,7 +7,6 @@
 
 use std::borrow::Cow;
 
-#[cfg(feature = "mesh-formats")]
 use crate::read::binary::{Kind, Number};
 use crate::read::remarks::Remarks;
 use crate::read::source::{ReadError, Source, quoted};
@@ -41,7 +40,6 @@ pub(super) enum Syntax {
     /// As JSON's numbers and strings; errors name their columns.
     Json,
     /// As the bytes of a number.
-    #[cfg(feature = "mesh-formats")]
     Binary(Number),
 }
 
@@ -193,10 +191,7 @@ impl<'a> Vertices<'a> {
 
     /// Whether coordinates are binary numbers of single precision.
     pub(super) fn is_single(&self) -> bool {
-        #[cfg(feature = "mesh-formats")]
-        return matches!(self.syntax, Syntax::Binary(number) if number.kind == Kind::F32);
-        #[cfg(not(feature = "mesh-formats"))]
-        false
+        matches!(self.syntax, Syntax::Binary(number) if number.kind == Kind::F32)
     }
 
     /// A coordinate as it is written.
@@ -210,7 +205,6 @@ impl<'a> Vertices<'a> {
             Syntax::Plain | Syntax::Json => {
                 Some(self.source.position(self.coordinates[vertex][0]).0)
             }
-            #[cfg(feature = "mesh-formats")]
             Syntax::Binary(_) => None,
         };
         (self.source.name.clone(), line, self.first + vertex)
@@ -236,7 +230,6 @@ impl<'a> Vertices<'a> {
                     ..self.source.error_in_line(line, message(text.as_bytes()))
                 }
             }
-            #[cfg(feature = "mesh-formats")]
             Syntax::Binary(_) => ReadError::of_file(&self.source.name, message(text.as_bytes())),
         }
     }
@@ -246,7 +239,6 @@ impl Syntax {
     /// The value of a coordinate.
     pub(super) fn value<S: Coordinate>(self, piece: &[u8]) -> Result<S, CoordinateError> {
         match self {
-            #[cfg(feature = "mesh-formats")]
             Syntax::Binary(number) => S::from_double(number.value(piece)),
             Syntax::Plain => match std::str::from_utf8(piece) {
                 Ok(text) => S::from_text(text),
@@ -257,7 +249,6 @@ impl Syntax {
     }
 
     /// The number of a vertex, or a count.
-    #[cfg(feature = "mesh-formats")]
     pub(super) fn index(self, piece: &[u8]) -> Option<usize> {
         match self {
             Syntax::Binary(number) => number.index(piece),
@@ -268,7 +259,6 @@ impl Syntax {
     /// The text of a coordinate.
     pub(super) fn text(self, piece: &[u8]) -> Cow<'_, str> {
         match self {
-            #[cfg(feature = "mesh-formats")]
             Syntax::Binary(number) => number.value(piece).text().into(),
             Syntax::Json if piece.starts_with(b"\"") => {
                 serde_json::from_slice::<String>(piece).map_or("".into(), Cow::Owned)

@@ -5,109 +5,31 @@ use num_rational::BigRational;
 use crate::order::is_finite;
 use crate::read::content::{Edges, Vertices};
 use crate::read::matching::find;
-#[cfg(feature = "mesh-formats")]
 use crate::read::numpy::Arrays;
 use crate::read::remarks::Remarks;
-#[cfg(feature = "mesh-formats")]
-use crate::read::shapes::Part;
+use crate::read::shapes::{geojson, wkt};
 use crate::read::source::{ReadError, Source};
-#[cfg(feature = "mesh-formats")]
 use crate::read::vtu::Unpacked;
-#[cfg(feature = "mesh-formats")]
-use crate::read::{dxf, geojson, msh, ply, vtk, wkt};
-use crate::read::{json, obj, off, points, triangle};
-use crate::{Column, Coordinate, CoordinateError, GraphFile, Numbering};
+use crate::read::{json, obj, off, text, triangle};
+use crate::read::{msh, ply, vtk};
+use crate::{Column, Coordinate, CoordinateError, Format, GraphFile, Numbering};
 use sweep_cdt::{Pslg, Region};
 
-named! {
-    /// A format that [`read()`] understands, named by the extension of its files.
-    /// The feature `mesh-formats` adds `ply`, `vtk`, `vtu`, `vtp`, `msh`, `geojson`, `wkt`, `npy`, `npz`
-    /// and `dxf`.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-    #[non_exhaustive]
-    pub enum InputFormat {
-        /// Triangle's vertices.
-        Node = "node",
-        /// Triangle's vertices and edges.
-        Poly = "poly",
-        /// An object with `points` and `edges`, or `vertices` and `segments`.
-        Json = "json",
-        /// Wavefront's vertices and lines.
-        Obj = "obj",
-        /// Geomview's vertices, and faces of two corners.
-        Off = "off",
-        /// Points, a row for each, with or without the names of columns.
-        Csv = "csv",
-        /// Points as in `.csv`.
-        Xyz = "xyz",
-        /// Points as in `.csv`.
-        Txt = "txt",
-        /// Stanford's vertices and edges, as text or binary.
-        #[cfg(feature = "mesh-formats")]
-        Ply = "ply",
-        /// VTK's points and lines, as text or binary.
-        #[cfg(feature = "mesh-formats")]
-        Vtk = "vtk",
-        /// VTK's points and lines, as XML.
-        #[cfg(feature = "mesh-formats")]
-        Vtu = "vtu",
-        /// VTK's points and lines of polygons, as XML.
-        #[cfg(feature = "mesh-formats")]
-        Vtp = "vtp",
-        /// Gmsh's nodes and lines, as text or binary.
-        #[cfg(feature = "mesh-formats")]
-        Msh = "msh",
-        /// Points, lines and polygons of maps, as JSON.
-        #[cfg(feature = "mesh-formats")]
-        Geojson = "geojson",
-        /// Points, lines and polygons as text.
-        #[cfg(feature = "mesh-formats")]
-        Wkt = "wkt",
-        /// Points as an array of NumPy.
-        #[cfg(feature = "mesh-formats")]
-        Npy = "npy",
-        /// Points and edges as arrays of NumPy.
-        #[cfg(feature = "mesh-formats")]
-        Npz = "npz",
-        /// Points and straight lines of CAD, as text.
-        #[cfg(feature = "mesh-formats")]
-        Dxf = "dxf",
-    }
-}
-
-impl InputFormat {
-    /// Whether every vertex has a height in it.
-    fn is_spatial(self) -> bool {
-        #[cfg(feature = "mesh-formats")]
-        use InputFormat::{Dxf, Msh, Ply, Vtk, Vtp, Vtu};
-        use InputFormat::{Obj, Off};
-        #[cfg(feature = "mesh-formats")]
-        return matches!(self, Obj | Off | Ply | Vtk | Vtu | Vtp | Msh | Dxf);
-        #[cfg(not(feature = "mesh-formats"))]
-        matches!(self, Obj | Off)
-    }
-
-    /// Whether it has no list of vertices, but coordinates wherever a vertex is meant.
-    fn is_without_vertices(self) -> bool {
-        #[cfg(feature = "mesh-formats")]
-        return matches!(
-            self,
-            InputFormat::Geojson | InputFormat::Wkt | InputFormat::Dxf
-        );
-        #[cfg(not(feature = "mesh-formats"))]
-        false
-    }
+/// Whether every vertex has a height in this format.
+fn is_spatial(format: Format) -> bool {
+    use Format::{Msh, Obj, Off, Ply, Vtk, Vtp, Vtu};
+    matches!(format, Obj | Off | Ply | Vtk | Vtu | Vtp | Msh)
 }
 
 /// The contents of a file: rationals if any coordinate in it is a fraction `p/q`, doubles otherwise.
 ///
 /// ```
 /// use num_rational::BigRational;
-/// use sweep_cdt_formats::{Coordinate, Input, InputFormat, Source, read};
+/// use sweep_cdt_formats::{Coordinate, Format, Input, Source, read};
 ///
 /// let bytes = br#"{"points": [[0.1, "1/3"]]}"#.to_vec();
 /// let source = Source::new("example", bytes);
-/// let Input::Rationals(file) = read(InputFormat::Json, &source, None)? else {
+/// let Input::Rationals(file) = read(Format::Json, &source, None)? else {
 ///     unreachable!("there is a fraction in the file")
 /// };
 /// assert_eq!(file.graph.points[0].each_ref().map(BigRational::text), ["1/10", "1/3"]);
@@ -121,14 +43,14 @@ pub enum Input {
     Rationals(GraphFile<BigRational>),
 }
 
-/// Reads a file. `node` is the `.node` beside a `.poly`; it is read only if the `.poly` holds no vertices.
+/// Reads a file in one of [`Format::INPUTS`]. `node` is the `.node` beside a `.poly`; it is read only if the `.poly` holds no vertices.
 ///
 /// ```
-/// use sweep_cdt_formats::{Input, InputFormat, Source, read};
+/// use sweep_cdt_formats::{Format, Input, Source, read};
 ///
 /// let bytes = br#"{"points": [[0, 0], [1, 0.5]], "edges": [[0, 1]]}"#.to_vec();
 /// let source = Source::new("example", bytes);
-/// let Input::Doubles(file) = read(InputFormat::Json, &source, None)? else {
+/// let Input::Doubles(file) = read(Format::Json, &source, None)? else {
 ///     unreachable!("no fraction in the file")
 /// };
 /// assert_eq!(file.graph.points, [[0.0, 0.0], [1.0, 0.5]]);
@@ -138,13 +60,9 @@ pub enum Input {
 ///
 /// # Errors
 /// See [`ReadError`].
-pub fn read(
-    format: InputFormat,
-    source: &Source,
-    node: Option<&Source>,
-) -> Result<Input, ReadError> {
+pub fn read(format: Format, source: &Source, node: Option<&Source>) -> Result<Input, ReadError> {
     let content = match format {
-        InputFormat::Node => {
+        Format::Node => {
             let mut remarks = Remarks::default();
             let vertices = triangle::read_node(source, &mut remarks)?;
             Edges {
@@ -152,42 +70,32 @@ pub fn read(
                 ..without_edges(vertices)
             }
         }
-        InputFormat::Poly => triangle::read_poly(source, node)?,
-        InputFormat::Json => match json::read(source) {
-            #[cfg(feature = "mesh-formats")]
-            Err(_) if geojson::is_in(source) => return read(InputFormat::Geojson, source, node),
+        Format::Poly => triangle::read_poly(source, node)?,
+        Format::Json => match json::read(source) {
+            Err(_) if geojson::is_in(source) => return read(Format::Geojson, source, node),
             content => content?,
         },
-        InputFormat::Obj => obj::read(source)?.into_graph()?,
-        InputFormat::Off => off::read(source)?.into_graph()?,
-        InputFormat::Csv | InputFormat::Xyz | InputFormat::Txt => points::read(source)?,
-        #[cfg(feature = "mesh-formats")]
-        InputFormat::Ply => ply::read(source)?.into_graph()?,
-        #[cfg(feature = "mesh-formats")]
-        InputFormat::Vtk => vtk::read(source)?.into_graph()?,
-        #[cfg(feature = "mesh-formats")]
-        InputFormat::Vtu | InputFormat::Vtp => {
+        Format::Obj => obj::read(source)?.into_graph()?,
+        Format::Off => off::read(source)?.into_graph()?,
+        Format::Csv | Format::Xyz | Format::Txt => text::read(source)?,
+        Format::Ply => ply::read(source)?.into_graph()?,
+        Format::Vtk => vtk::read(source)?.into_graph()?,
+        Format::Vtu | Format::Vtp => {
             let unpacked = Unpacked::of(source)?;
             return input(format, unpacked.mesh()?.into_graph()?);
         }
-        #[cfg(feature = "mesh-formats")]
-        InputFormat::Msh => msh::read(source)?.into_graph()?,
-        #[cfg(feature = "mesh-formats")]
-        InputFormat::Geojson => geojson::read(source)?.into_graph(),
-        #[cfg(feature = "mesh-formats")]
-        InputFormat::Wkt => wkt::read(source)?.into_graph(),
-        #[cfg(feature = "mesh-formats")]
-        InputFormat::Dxf => dxf::read(source, Part::Points)?.into_graph(),
-        #[cfg(feature = "mesh-formats")]
-        InputFormat::Npy => return input(format, Arrays::of_points(source)?.graph()?),
-        #[cfg(feature = "mesh-formats")]
-        InputFormat::Npz => return input(format, Arrays::of_archive(source)?.graph()?),
+        Format::Msh => msh::read(source)?.into_graph()?,
+        Format::Geojson => geojson::read(source)?.into_graph(),
+        Format::Wkt => wkt::read(source)?.into_graph(),
+        Format::Npy => return input(format, Arrays::of_points(source)?.graph()?),
+        Format::Npz => return input(format, Arrays::of_archive(source)?.graph()?),
+        _ => return Err(ReadError::of_file(&source.name, format.lacks("graph"))),
     };
     input(format, content)
 }
 
 /// The contents of a file, with their numbers.
-fn input(format: InputFormat, content: Edges<'_>) -> Result<Input, ReadError> {
+fn input(format: Format, content: Edges<'_>) -> Result<Input, ReadError> {
     // First as doubles; if a coordinate is a fraction, all once more as rationals.
     let is_exact = |error| match error {
         CoordinateError::Fraction => true,
@@ -207,7 +115,7 @@ fn input(format: InputFormat, content: Edges<'_>) -> Result<Input, ReadError> {
 
 /// A file with this graph, which has no edges yet; where coordinates stand for vertices, equal points are one.
 fn file<S: Coordinate>(
-    format: InputFormat,
+    format: Format,
     content: Edges<'_>,
     graph: Pslg<S>,
 ) -> Result<GraphFile<S>, ReadError> {
@@ -237,7 +145,8 @@ fn file<S: Coordinate>(
             ..graph
         })
     };
-    Ok(if format.is_without_vertices() {
+    // These have no list of vertices, but coordinates wherever a vertex is meant.
+    Ok(if matches!(format, Format::Geojson | Format::Wkt) {
         merged(file)
     } else {
         file
@@ -246,7 +155,7 @@ fn file<S: Coordinate>(
 
 /// A file with one vertex for equal points: the first of them. In each column it has the first number that any of these
 /// points has. Graphs with points that are not finite stay as they are; nothing is made of them.
-pub(crate) fn merged<S: Coordinate>(file: GraphFile<S>) -> GraphFile<S> {
+fn merged<S: Coordinate>(file: GraphFile<S>) -> GraphFile<S> {
     if !file.graph.points.iter().all(is_finite) {
         return file;
     }
@@ -288,10 +197,10 @@ pub(crate) fn merged<S: Coordinate>(file: GraphFile<S>) -> GraphFile<S> {
 
 /// The columns of the vertices. Where every vertex must have a height, heights that are all 0 or missing say that there
 /// are none. So do heights that are all missing, but for the attributes of Triangle's files.
-fn columns(format: InputFormat, vertices: &Vertices<'_>) -> Result<Vec<Column>, ReadError> {
+fn columns(format: Format, vertices: &Vertices<'_>) -> Result<Vec<Column>, ReadError> {
     let mut columns = vertices.columns()?;
-    if !matches!(format, InputFormat::Node | InputFormat::Poly) {
-        let says_nothing = |height: f64| height.is_nan() || height == 0.0 && format.is_spatial();
+    if !matches!(format, Format::Node | Format::Poly) {
+        let says_nothing = |height: f64| height.is_nan() || height == 0.0 && is_spatial(format);
         columns.retain(|column| {
             let mut values = column.values.iter();
             column.name != Column::HEIGHT || !values.all(|&height| says_nothing(height))

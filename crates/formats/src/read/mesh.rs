@@ -51,14 +51,12 @@ impl Cells {
     }
 
     /// Adds that there is a cell which is neither a line nor a face, and which a result must not have.
-    #[cfg(feature = "mesh-formats")]
     pub(super) fn refuse(&mut self, error: impl FnOnce() -> ReadError) {
         self.unread += 1;
         self.other.get_or_insert_with(error);
     }
 
     /// Adds the triangles of a strip: each corner makes one with the two before, every other one turned over.
-    #[cfg(feature = "mesh-formats")]
     pub(super) fn add_strip(&mut self, corners: &[usize]) {
         for (at, window) in corners.windows(3).enumerate() {
             let [a, b, c] = [window[0], window[1], window[2]];

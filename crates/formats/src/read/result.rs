@@ -3,117 +3,52 @@
 use std::collections::HashSet;
 
 use crate::read::content::{Corners, Labels, Vertices};
-use crate::read::matched::Matched;
+use crate::read::matching::matched::Matched;
+use crate::read::matching::refusal::ResultError;
 use crate::read::matching::{self, Matching};
-#[cfg(feature = "mesh-formats")]
 use crate::read::numpy::Arrays;
-use crate::read::refusal::ResultError;
-#[cfg(feature = "mesh-formats")]
-use crate::read::shapes::Part;
+use crate::read::shapes::{geojson, wkt};
 use crate::read::source::{ReadError, Source};
-#[cfg(feature = "mesh-formats")]
 use crate::read::vtu::Unpacked;
-#[cfg(feature = "mesh-formats")]
-use crate::read::{dxf, geojson, msh, ply, stl, vtk, wkt};
 use crate::read::{json, obj, off, triangle};
-use crate::{Coordinate, CoordinateError, GraphFile};
+use crate::read::{msh, ply, stl, vtk};
+use crate::{Coordinate, CoordinateError, Format, GraphFile};
 use sweep_cdt::Pslg;
 use sweep_cdt::verify::{Offenders, Violation};
 
-named! {
-    /// A format that [`read_result`] understands, named by the extension of its files.
-    /// The feature `mesh-formats` adds `ply`, `vtk`, `vtu`, `vtp`, `msh`, `stl`, `geojson`, `wkt`,
-    /// `npy`, `npz` and `dxf`.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-    #[non_exhaustive]
-    pub enum ResultFormat {
-        /// Triangle's triangles.
-        Ele = "ele",
-        /// An object with `triangles`, `simplices` or `faces`.
-        Json = "json",
-        /// Wavefront's vertices and faces.
-        Obj = "obj",
-        /// Geomview's vertices and faces.
-        Off = "off",
-        /// Stanford's vertices and faces, as text or binary.
-        #[cfg(feature = "mesh-formats")]
-        Ply = "ply",
-        /// VTK's points, and polygons or cells, as text or binary.
-        #[cfg(feature = "mesh-formats")]
-        Vtk = "vtk",
-        /// VTK's points and cells, as XML.
-        #[cfg(feature = "mesh-formats")]
-        Vtu = "vtu",
-        /// VTK's points and polygons, as XML.
-        #[cfg(feature = "mesh-formats")]
-        Vtp = "vtp",
-        /// Gmsh's nodes and triangles, as text or binary.
-        #[cfg(feature = "mesh-formats")]
-        Msh = "msh",
-        /// Triangles alone, as text or binary.
-        #[cfg(feature = "mesh-formats")]
-        Stl = "stl",
-        /// Polygons of maps, as JSON.
-        #[cfg(feature = "mesh-formats")]
-        Geojson = "geojson",
-        /// Polygons as text.
-        #[cfg(feature = "mesh-formats")]
-        Wkt = "wkt",
-        /// Triangles as an array of NumPy.
-        #[cfg(feature = "mesh-formats")]
-        Npy = "npy",
-        /// Triangles, and maybe points, as arrays of NumPy.
-        #[cfg(feature = "mesh-formats")]
-        Npz = "npz",
-        /// Faces of CAD, as text.
-        #[cfg(feature = "mesh-formats")]
-        Dxf = "dxf",
-    }
-}
-
-impl ResultFormat {
-    /// Reads a file, and makes something of it.
-    fn read<T>(
-        self,
-        source: &Source,
-        node: Option<&Source>,
-        make: impl FnOnce(Corners<'_>) -> Result<T, ResultError>,
-    ) -> Result<T, ResultError> {
-        let corners = match self {
-            ResultFormat::Ele => triangle::read_ele(source, node)?,
-            ResultFormat::Json => match json::read_triangles(source) {
-                #[cfg(feature = "mesh-formats")]
-                Err(_) if geojson::is_in(source) => geojson::read(source)?.into_triangles()?,
-                corners => corners?,
-            },
-            ResultFormat::Obj => obj::read(source)?.into_triangles()?,
-            ResultFormat::Off => off::read(source)?.into_triangles()?,
-            #[cfg(feature = "mesh-formats")]
-            ResultFormat::Ply => ply::read(source)?.into_triangles()?,
-            #[cfg(feature = "mesh-formats")]
-            ResultFormat::Vtk => vtk::read(source)?.into_triangles()?,
-            #[cfg(feature = "mesh-formats")]
-            ResultFormat::Vtu | ResultFormat::Vtp => {
-                let unpacked = Unpacked::of(source)?;
-                return make(unpacked.mesh()?.into_triangles()?);
-            }
-            #[cfg(feature = "mesh-formats")]
-            ResultFormat::Msh => msh::read(source)?.into_triangles()?,
-            #[cfg(feature = "mesh-formats")]
-            ResultFormat::Stl => stl::read(source)?,
-            #[cfg(feature = "mesh-formats")]
-            ResultFormat::Geojson => geojson::read(source)?.into_triangles()?,
-            #[cfg(feature = "mesh-formats")]
-            ResultFormat::Wkt => wkt::read(source)?.into_triangles()?,
-            #[cfg(feature = "mesh-formats")]
-            ResultFormat::Dxf => dxf::read(source, Part::Ring)?.into_triangles()?,
-            #[cfg(feature = "mesh-formats")]
-            ResultFormat::Npy => return make(Arrays::of_triangles(source)?.triangles()?),
-            #[cfg(feature = "mesh-formats")]
-            ResultFormat::Npz => return make(Arrays::of_archive(source)?.triangles()?),
-        };
-        make(corners)
-    }
+/// Reads a file, and makes something of its triangles.
+fn read_triangles<T>(
+    format: Format,
+    source: &Source,
+    node: Option<&Source>,
+    make: impl FnOnce(Corners<'_>) -> Result<T, ResultError>,
+) -> Result<T, ResultError> {
+    let corners = match format {
+        Format::Ele => triangle::read_ele(source, node)?,
+        Format::Json => match json::read_triangles(source) {
+            Err(_) if geojson::is_in(source) => geojson::read(source)?.into_triangles()?,
+            corners => corners?,
+        },
+        Format::Obj => obj::read(source)?.into_triangles()?,
+        Format::Off => off::read(source)?.into_triangles()?,
+        Format::Ply => ply::read(source)?.into_triangles()?,
+        Format::Vtk => vtk::read(source)?.into_triangles()?,
+        Format::Vtu | Format::Vtp => {
+            let unpacked = Unpacked::of(source)?;
+            return make(unpacked.mesh()?.into_triangles()?);
+        }
+        Format::Msh => msh::read(source)?.into_triangles()?,
+        Format::Stl => stl::read(source)?,
+        Format::Geojson => geojson::read(source)?.into_triangles()?,
+        Format::Wkt => wkt::read(source)?.into_triangles()?,
+        Format::Npy => return make(Arrays::of_triangles(source)?.triangles()?),
+        Format::Npz => return make(Arrays::of_archive(source)?.triangles()?),
+        _ => {
+            let error = ReadError::of_file(&source.name, format.lacks("triangulation"));
+            return Err(error.into());
+        }
+    };
+    make(corners)
 }
 
 /// Triangles of a file, by vertices of the input.
@@ -134,7 +69,7 @@ pub struct Triangles {
     pub attributes: Option<Vec<f64>>,
 }
 
-/// Reads a triangulation of `input`; `node` is the `.node` beside a `.ele`.
+/// Reads a triangulation of `input` in one of [`Format::RESULTS`]; `node` is the `.node` beside a `.ele`.
 ///
 /// Vertices are matched as [`Matching::new`] does it: by coordinates, if every vertex of the file is one of
 /// the input, exactly; by number, if the file has no coordinates, or as many vertices as the input, and each
@@ -143,13 +78,13 @@ pub struct Triangles {
 ///
 /// ```
 /// use sweep_cdt::Pslg;
-/// use sweep_cdt_formats::{Matched, ResultFormat, Source, read_result};
+/// use sweep_cdt_formats::{Format, Matched, Source, read_result};
 ///
 /// let points = vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
 /// let input = Pslg { points, ..Pslg::default() }.into();
 /// let bytes = b"v 0 1 0\nv 0 0 0\nv 1 0 0\nf 1 2 3".to_vec();
 /// let source = Source::new("example", bytes);
-/// let triangles = read_result(ResultFormat::Obj, &source, None, &input)?;
+/// let triangles = read_result(Format::Obj, &source, None, &input)?;
 /// assert_eq!(triangles.list, [[2, 0, 1]]);
 /// assert_eq!(triangles.matched, Matched::Equal);
 /// # Ok::<(), sweep_cdt_formats::ResultError>(())
@@ -158,7 +93,7 @@ pub struct Triangles {
 /// # Errors
 /// See [`ResultError`].
 pub fn read_result<S: Coordinate>(
-    format: ResultFormat,
+    format: Format,
     source: &Source,
     node: Option<&Source>,
     input: &GraphFile<S>,
@@ -171,14 +106,14 @@ impl Matching {
     ///
     /// ```
     /// use sweep_cdt::Pslg;
-    /// use sweep_cdt_formats::{Matched, Matching, ResultFormat, Source};
+    /// use sweep_cdt_formats::{Format, Matched, Matching, Source};
     ///
     /// let points = vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
     /// let input = Pslg { points, ..Pslg::default() }.into();
     /// let bytes = b"v 0.25 0\nv 1 0\nv 0 1\nf 1 2 3".to_vec();
     /// let source = Source::new("example", bytes);
     /// let matching = Matching::new().tolerance(0.5);
-    /// let triangles = matching.read(ResultFormat::Obj, &source, None, &input)?;
+    /// let triangles = matching.read(Format::Obj, &source, None, &input)?;
     /// assert_eq!(triangles.matched, Matched::Near { difference: 0.25 });
     /// # Ok::<(), sweep_cdt_formats::ResultError>(())
     /// ```
@@ -187,12 +122,12 @@ impl Matching {
     /// See [`ResultError`].
     pub fn read<S: Coordinate>(
         self,
-        format: ResultFormat,
+        format: Format,
         source: &Source,
         node: Option<&Source>,
         input: &GraphFile<S>,
     ) -> Result<Triangles, ResultError> {
-        format.read(source, node, |corners| {
+        read_triangles(format, source, node, |corners| {
             let (matched, places) = match &corners.vertices {
                 Some(vertices) => {
                     let points = points_of(vertices)?;
@@ -215,25 +150,25 @@ impl Matching {
 ///
 /// ```
 /// use sweep_cdt::Pslg;
-/// use sweep_cdt_formats::{ResultFormat, Source, added_points};
+/// use sweep_cdt_formats::{Format, Source, added_points};
 ///
 /// let points = vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
 /// let input = Pslg { points, ..Pslg::default() }.into();
 /// let bytes = b"v 0 1\nv 0 0\nv 1 0\nv 0.5 0.5\nf 1 2 4\nf 2 3 4".to_vec();
 /// let source = Source::new("example", bytes);
-/// assert_eq!(added_points(ResultFormat::Obj, &source, None, &input)?, [[0.5, 0.5]]);
+/// assert_eq!(added_points(Format::Obj, &source, None, &input)?, [[0.5, 0.5]]);
 /// # Ok::<(), sweep_cdt_formats::ResultError>(())
 /// ```
 ///
 /// # Errors
 /// See [`ResultError`].
 pub fn added_points<S: Coordinate>(
-    format: ResultFormat,
+    format: Format,
     source: &Source,
     node: Option<&Source>,
     input: &GraphFile<S>,
 ) -> Result<Vec<[S; 2]>, ResultError> {
-    format.read(source, node, |corners| match corners.vertices {
+    read_triangles(format, source, node, |corners| match corners.vertices {
         Some(vertices) => matching::added(&vertices, &points_of(&vertices)?, &input.graph.points),
         None => Ok(Vec::new()),
     })

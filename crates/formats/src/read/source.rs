@@ -1,14 +1,14 @@
 //! Files in memory, and where one is wrong.
 
-use std::fmt;
+use std::{fmt, io};
 
 /// A file in memory.
 ///
 /// ```
-/// use sweep_cdt_formats::{Input, InputFormat, Source, read};
+/// use sweep_cdt_formats::{Format, Input, Source, read};
 ///
 /// let source = Source::new("two.node", b"2 2 0 0\n1 0 0\n2 1 0.5\n");
-/// assert!(matches!(read(InputFormat::Node, &source, None), Ok(Input::Doubles(_))));
+/// assert!(matches!(read(Format::Node, &source, None), Ok(Input::Doubles(_))));
 /// ```
 #[derive(Clone, Debug)]
 pub struct Source {
@@ -23,10 +23,8 @@ pub struct Source {
 }
 
 /// The bytes that every file may unpack to.
-#[cfg(feature = "mesh-formats")]
 const UNPACKED: u64 = 16 << 20;
 /// How often its size a file may unpack to, if that is more. Arrays of meshes unpack to 2 to 10 times their size.
-#[cfg(feature = "mesh-formats")]
 const TIMES: u64 = 32;
 
 impl Source {
@@ -63,7 +61,6 @@ impl Source {
     }
 
     /// How many bytes the file may unpack to.
-    #[cfg(feature = "mesh-formats")]
     pub(super) fn most_unpacked(&self) -> u64 {
         let by_size = (self.bytes.len() as u64).saturating_mul(TIMES);
         self.unpacked_limit.unwrap_or(by_size.max(UNPACKED))
@@ -136,10 +133,10 @@ pub(super) fn split_line(text: &[u8]) -> (&[u8], &[u8]) {
 /// Where a file is wrong, and how: `file:line:column: message`.
 ///
 /// ```
-/// use sweep_cdt_formats::{InputFormat, Source, read};
+/// use sweep_cdt_formats::{Format, Source, read};
 ///
 /// let source = Source::new("a.node", b"1\n0 0 zero");
-/// let error = read(InputFormat::Node, &source, None).unwrap_err();
+/// let error = read(Format::Node, &source, None).unwrap_err();
 /// assert_eq!(error.to_string(), "a.node:2: `zero` is not a coordinate");
 /// assert_eq!(error.line, Some(2));
 /// ```
@@ -225,6 +222,14 @@ pub fn quoted(piece: &[u8]) -> String {
         ""
     };
     format!("`{short}{dots}`")
+}
+
+/// The system's message without its error number.
+#[must_use]
+pub fn reason(error: &io::Error) -> String {
+    let text = error.to_string();
+    let text = text.split(" (os error").next().unwrap_or(&text);
+    text.to_lowercase()
 }
 
 /// The message that an edge names a vertex which is not there, and what numbers there are.

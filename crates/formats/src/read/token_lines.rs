@@ -78,13 +78,11 @@ impl<'a> Lines<'a> {
     }
 
     /// All that is left of the file.
-    #[cfg(feature = "mesh-formats")]
     pub(super) fn rest(&self) -> &'a [u8] {
         self.rest
     }
 
     /// How many lines are read.
-    #[cfg(feature = "mesh-formats")]
     pub(super) fn count(&self) -> usize {
         self.number
     }

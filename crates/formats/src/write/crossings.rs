@@ -24,22 +24,8 @@ use serde_json::value::RawValue;
 
 use super::features::{Shape, write_features};
 use super::json::json_coordinate;
-use crate::{Coordinate, Numbering};
+use crate::{Coordinate, Format, Numbering};
 use sweep_cdt::crossings::{Crossing, Exact};
-
-named! {
-    /// A format that [`write_crossings`] makes, named by the extension of its files.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-    #[non_exhaustive]
-    pub enum CrossingsFormat {
-        /// A line for each pair: both edges, the point, the nearest doubles.
-        Csv = "csv",
-        /// An object with the list `crossings`.
-        Json = "json",
-        /// A feature for each pair: the nearest doubles as a point, the edges and the exact point as properties.
-        Geojson = "geojson",
-    }
-}
 
 /// An element of the list.
 #[derive(Serialize)]
@@ -59,31 +45,31 @@ struct Properties {
     y: String,
 }
 
-/// Writes a list of edges that cross, numbered as in their file.
+/// Writes a list of edges that cross, in one of [`Format::CROSSINGS`], numbered as in their file.
 ///
 /// ```
 /// use sweep_cdt::crossings::crossings;
-/// use sweep_cdt_formats::{CrossingsFormat, Numbering, write_crossings};
+/// use sweep_cdt_formats::{Format, Numbering, write_crossings};
 ///
 /// let points = vec![[0.0, 0.0], [3.0, 1.0], [0.0, 1.0], [1.0, 0.0]];
 /// let edges = vec![[0, 1], [2, 3]];
 /// let mut text = Vec::new();
 /// let found = crossings(&points, &edges)?;
-/// write_crossings(CrossingsFormat::Csv, Numbering::FROM_ONE, &found, &mut text)?;
+/// write_crossings(Format::Csv, Numbering::FROM_ONE, &found, &mut text)?;
 /// assert_eq!(text, b"edge,other,x,y,near_x,near_y\n1,2,3/4,1/4,0.75,0.25\n");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
 /// # Errors
-/// Errors of `out`.
+/// Errors of `out`; [`io::ErrorKind::Unsupported`] for another format.
 pub fn write_crossings<S: Exact>(
-    format: CrossingsFormat,
+    format: Format,
     numbering: Numbering,
     crossings: &[Crossing<S>],
     out: &mut impl Write,
 ) -> io::Result<()> {
     match format {
-        CrossingsFormat::Csv => {
+        Format::Csv => {
             writeln!(out, "edge,other,x,y,near_x,near_y")?;
             crossings.iter().try_for_each(|crossing| {
                 let [edge, other] = numbering.edges(crossing.edges);
@@ -92,7 +78,7 @@ pub fn write_crossings<S: Exact>(
                 writeln!(out, "{edge},{other},{x},{y},{near_x},{near_y}")
             })
         }
-        CrossingsFormat::Json => {
+        Format::Json => {
             out.write_all(b"{\"crossings\": [")?;
             for (at, crossing) in crossings.iter().enumerate() {
                 out.write_all(if at == 0 { b"\n" } else { b",\n" })?;
@@ -107,7 +93,7 @@ pub fn write_crossings<S: Exact>(
             }
             out.write_all(b"]}\n")
         }
-        CrossingsFormat::Geojson => {
+        Format::Geojson => {
             let features = crossings.iter().map(|crossing| {
                 let [edge, other] = numbering.edges(crossing.edges);
                 let [x, y] = crossing.point().each_ref().map(BigRational::text);
@@ -116,5 +102,6 @@ pub fn write_crossings<S: Exact>(
             });
             write_features(features, out)
         }
+        _ => Err(super::unsupported(format, "list of crossings")),
     }
 }

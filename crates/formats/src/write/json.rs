@@ -190,7 +190,10 @@ fn member<T: Serialize>(
 }
 
 /// A finite coordinate as it stands in JSON: a number, or a string with a fraction.
-pub(super) fn json_coordinate<S: Coordinate>(value: &S) -> Box<RawValue> {
+///
+/// # Panics
+/// The coordinate is not finite.
+pub fn json_coordinate<S: Coordinate>(value: &S) -> Box<RawValue> {
     let text = value.text();
     let text = if text.contains('/') {
         format!("\"{text}\"")

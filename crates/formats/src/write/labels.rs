@@ -6,7 +6,6 @@ use sweep_cdt::interior::Interior;
 /// A number for each triangle of a list.
 pub(super) struct Labels {
     /// `region` or `feature`.
-    #[cfg(feature = "mesh-formats")]
     pub(super) name: &'static str,
     pub(super) values: Vec<f64>,
 }
@@ -38,7 +37,6 @@ impl Labels {
             }
         }
         Some(Labels {
-            #[cfg(feature = "mesh-formats")]
             name: if interior.is_of_polygons() {
                 "feature"
             } else {
@@ -51,7 +49,6 @@ impl Labels {
 
 /// The markers of sides, lower vertices first: of several edges along a side the first with a marker counts. Nothing, if
 /// no edge has one.
-#[cfg(feature = "mesh-formats")]
 pub(super) fn markers<S>(
     file: &GraphFile<S>,
     interior: &Interior<'_>,

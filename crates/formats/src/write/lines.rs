@@ -6,21 +6,19 @@
 
 use std::io::{self, Write};
 
-#[cfg(feature = "mesh-formats")]
 use super::shapes::{write_srid, write_system};
-#[cfg(feature = "mesh-formats")]
 use crate::Coordinate;
-use crate::{Column, CoordinateSystem, GraphFile, InputFormat, write_graph};
+use crate::{Column, CoordinateSystem, Format, GraphFile, write_graph};
 use sweep_cdt::Pslg;
 
-/// Writes lines, each with its height, and their coordinate system; the last point of a closed line equals its first.
+/// Writes lines, each with its height, and their coordinate system, in one of [`Format::INPUTS`]; the last point of a closed line equals its first.
 ///
 /// ```
-/// use sweep_cdt_formats::{InputFormat, write_lines};
+/// use sweep_cdt_formats::{Format, write_lines};
 ///
 /// let lines = [(7.5, vec![[0.0, 0.0], [1.0, 0.0], [0.0, 2.0], [0.0, 0.0]])];
 /// let mut text = Vec::new();
-/// write_lines(InputFormat::Poly, &lines, None, &mut text)?;
+/// write_lines(Format::Poly, &lines, None, &mut text)?;
 /// let vertices = "3 2 1 0\n0 0 0 7.5\n1 1 0 7.5\n2 0 2 7.5\n";
 /// let edges = "3 0\n0 0 1\n1 1 2\n2 2 0\n0\n";
 /// assert_eq!(text, [vertices, edges].concat().as_bytes());
@@ -28,18 +26,16 @@ use sweep_cdt::Pslg;
 /// ```
 ///
 /// # Errors
-/// Errors of `out`.
+/// Errors of `out`; [`io::ErrorKind::Unsupported`] for another format.
 pub fn write_lines(
-    format: InputFormat,
+    format: Format,
     lines: &[(f64, Vec<[f64; 2]>)],
     system: Option<&CoordinateSystem>,
     out: &mut impl Write,
 ) -> io::Result<()> {
     match format {
-        #[cfg(feature = "mesh-formats")]
-        InputFormat::Geojson => write_geojson(lines, system, out),
-        #[cfg(feature = "mesh-formats")]
-        InputFormat::Wkt => write_wkt(lines, system, out),
+        Format::Geojson => write_geojson(lines, system, out),
+        Format::Wkt => write_wkt(lines, system, out),
         _ => {
             let mut file = graph(lines);
             file.system = system.cloned();
@@ -69,7 +65,6 @@ fn graph(lines: &[(f64, Vec<[f64; 2]>)]) -> GraphFile<f64> {
 }
 
 /// Writes a feature for each line.
-#[cfg(feature = "mesh-formats")]
 fn write_geojson(
     lines: &[(f64, Vec<[f64; 2]>)],
     system: Option<&CoordinateSystem>,
@@ -95,7 +90,6 @@ fn write_geojson(
 }
 
 /// Writes a collection of lines.
-#[cfg(feature = "mesh-formats")]
 fn write_wkt(
     lines: &[(f64, Vec<[f64; 2]>)],
     system: Option<&CoordinateSystem>,

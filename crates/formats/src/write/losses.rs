@@ -1,21 +1,21 @@
 //! What a format has no room for.
 
-use crate::{Coordinate, CoordinateSystem, GraphFile, OutputFormat};
+use crate::{Coordinate, CoordinateSystem, Format, GraphFile};
 use sweep_cdt::interior::Interior;
 
 /// What of a file and its domain an output in this format does not say, each as words that follow "not written:".
 /// A `.cert` alone has vertices without heights; other formats without heights have no vertices either.
 ///
 /// ```
-/// use sweep_cdt_formats::{Column, GraphFile, OutputFormat, not_written};
+/// use sweep_cdt_formats::{Column, Format, GraphFile, not_written};
 ///
 /// let wind = Column { name: "wind".to_owned(), values: vec![1.5] };
 /// let file = GraphFile::<f64> { columns: vec![wind], ..GraphFile::default() };
-/// assert_eq!(not_written(OutputFormat::Obj, &file, None), ["the column `wind`"]);
-/// assert!(not_written(OutputFormat::Node, &file, None).is_empty());
+/// assert_eq!(not_written(Format::Obj, &file, None), ["the column `wind`"]);
+/// assert!(not_written(Format::Node, &file, None).is_empty());
 /// ```
 pub fn not_written<S: Coordinate>(
-    format: OutputFormat,
+    format: Format,
     file: &GraphFile<S>,
     interior: Option<&Interior<'_>>,
 ) -> Vec<String> {
@@ -27,7 +27,7 @@ pub fn not_written<S: Coordinate>(
         system,
     } = Room::of(format);
     let mut losses = Vec::new();
-    if format == OutputFormat::Cert && file.heights().is_some() {
+    if format == Format::Cert && file.heights().is_some() {
         losses.push("heights".to_owned());
     }
     if !columns {
@@ -74,7 +74,6 @@ struct Room {
 enum System {
     No,
     /// By a number of the EPSG.
-    #[cfg(feature = "mesh-formats")]
     Number,
     Any,
 }
@@ -84,7 +83,6 @@ impl System {
     fn holds(&self, system: &CoordinateSystem) -> bool {
         match self {
             System::No => false,
-            #[cfg(feature = "mesh-formats")]
             System::Number => system.srid().is_some(),
             System::Any => !system.json().is_empty(),
         }
@@ -92,7 +90,7 @@ impl System {
 }
 
 impl Room {
-    fn of(format: OutputFormat) -> Room {
+    fn of(format: Format) -> Room {
         let nothing = Room {
             columns: false,
             vertex_markers: false,
@@ -102,55 +100,48 @@ impl Room {
         };
         match format {
             // A `.ele` stands beside a `.node`.
-            OutputFormat::Ele | OutputFormat::Node => Room {
+            Format::Ele | Format::Node => Room {
                 columns: true,
                 vertex_markers: true,
                 regions: true,
                 ..nothing
             },
-            OutputFormat::Json => Room {
+            Format::Json => Room {
                 columns: true,
                 vertex_markers: true,
                 edge_markers: true,
                 regions: true,
                 system: System::Any,
             },
-            OutputFormat::Cert | OutputFormat::Obj | OutputFormat::Off => nothing,
-            #[cfg(feature = "mesh-formats")]
-            OutputFormat::Ply | OutputFormat::Vtk | OutputFormat::Vtu | OutputFormat::Vtp => Room {
+            Format::Ply | Format::Vtk | Format::Vtu | Format::Vtp => Room {
                 columns: true,
                 vertex_markers: true,
                 edge_markers: true,
                 regions: true,
                 ..nothing
             },
-            #[cfg(feature = "mesh-formats")]
-            OutputFormat::Msh => Room {
+            Format::Msh => Room {
                 vertex_markers: true,
                 edge_markers: true,
                 regions: true,
                 ..nothing
             },
-            #[cfg(feature = "mesh-formats")]
-            OutputFormat::Geojson => Room {
+            Format::Geojson => Room {
                 regions: true,
                 system: System::Any,
                 ..nothing
             },
-            #[cfg(feature = "mesh-formats")]
-            OutputFormat::Wkt => Room {
+            Format::Wkt => Room {
                 system: System::Number,
                 ..nothing
             },
-            #[cfg(feature = "mesh-formats")]
-            OutputFormat::Stl | OutputFormat::Npy | OutputFormat::Dxf => nothing,
             // Columns have no names in it, but are there.
-            #[cfg(feature = "mesh-formats")]
-            OutputFormat::Npz => Room {
+            Format::Npz => Room {
                 columns: true,
                 vertex_markers: true,
                 ..nothing
             },
+            _ => nothing,
         }
     }
 }

@@ -5,7 +5,6 @@
 use std::borrow::Cow;
 use std::io::{self, Write};
 
-#[cfg(feature = "mesh-formats")]
 use super::labels::{Labels, markers};
 use super::rows::{numbers, write_rows};
 use crate::{Column, Coordinate, GraphFile, sorted_pairs};
@@ -17,11 +16,9 @@ pub(super) struct Mesh<'a, S> {
     pub(super) heights: Option<&'a Column>,
     pub(super) lines: Cow<'a, [[usize; 2]]>,
     /// The marker of each line, or none.
-    #[cfg(feature = "mesh-formats")]
     pub(super) markers: Cow<'a, [i64]>,
     pub(super) triangles: Vec<[usize; 3]>,
     /// The region or feature of each triangle.
-    #[cfg(feature = "mesh-formats")]
     pub(super) labels: Option<Labels>,
 }
 
@@ -31,7 +28,6 @@ impl<'a, S: Coordinate> Mesh<'a, S> {
         Mesh {
             triangles: interior.canonical_triangles(),
             lines: Cow::Borrowed(&[]),
-            #[cfg(feature = "mesh-formats")]
             markers: Cow::Borrowed(&[]),
             ..Mesh::of_graph(file)
         }
@@ -46,7 +42,6 @@ impl<'a, S: Coordinate> Mesh<'a, S> {
     }
 
     /// The mesh with the constrained sides, their markers, and the regions or features of triangles.
-    #[cfg(feature = "mesh-formats")]
     pub(super) fn with_labels(self, interior: &Interior<'_>) -> Mesh<'a, S> {
         let mesh = self.with_sides(interior);
         Mesh {
@@ -62,10 +57,8 @@ impl<'a, S: Coordinate> Mesh<'a, S> {
             file,
             heights: file.heights(),
             lines: Cow::Borrowed(&file.graph.edges),
-            #[cfg(feature = "mesh-formats")]
             markers: Cow::Borrowed(&file.edge_markers),
             triangles: Vec::new(),
-            #[cfg(feature = "mesh-formats")]
             labels: None,
         }
     }

@@ -4,114 +4,55 @@ mod certificate;
 mod certificate_numbers;
 mod certificate_tiling;
 mod crossings;
-#[cfg(feature = "mesh-formats")]
-mod dxf;
 mod features;
 mod json;
 mod labels;
 mod lines;
 mod losses;
 mod mesh;
-#[cfg(feature = "mesh-formats")]
 mod mesh_formats;
-#[cfg(feature = "mesh-formats")]
 mod numpy;
 mod points;
 mod rows;
-#[cfg(feature = "mesh-formats")]
 mod shapes;
 mod violations;
-#[cfg(feature = "mesh-formats")]
 mod vtu;
 
 use std::io::{self, Write};
 
 pub use certificate::write_certificate;
-pub use crossings::{CrossingsFormat, write_crossings};
+pub use crossings::write_crossings;
+pub use json::json_coordinate;
 pub use lines::write_lines;
 pub use losses::not_written;
 pub use rows::write_node;
 pub use violations::write_violations;
 
 use self::mesh::Mesh;
-use crate::{Coordinate, GraphFile, InputFormat};
+use crate::{Coordinate, Format, GraphFile};
 use sweep_cdt::Triangulation;
 use sweep_cdt::interior::Interior;
 use sweep_cdt::memory::has_room;
 
-named! {
-    /// A format that [`write()`] makes, named by the extension of its files.
-    /// The feature `mesh-formats` adds `ply`, `vtk`, `vtu`, `vtp`, `msh`, `stl`, `geojson`, `wkt`, `npy`, `npz`
-    /// and `dxf`.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-    #[non_exhaustive]
-    pub enum OutputFormat {
-        /// Triangle's triangles, numbered as the input.
-        Ele = "ele",
-        /// Triangle's vertices, numbered as the input.
-        Node = "node",
-        /// Vertices, edges and the whole result.
-        Json = "json",
-        /// A certificate for the proved checker.
-        Cert = "cert",
-        /// Wavefront's vertices and faces.
-        Obj = "obj",
-        /// Geomview's vertices and faces.
-        Off = "off",
-        /// Stanford's vertices and faces, as text.
-        #[cfg(feature = "mesh-formats")]
-        Ply = "ply",
-        /// VTK's points and cells, as text.
-        #[cfg(feature = "mesh-formats")]
-        Vtk = "vtk",
-        /// VTK's points and cells, as XML.
-        #[cfg(feature = "mesh-formats")]
-        Vtu = "vtu",
-        /// VTK's points and polygons, as XML.
-        #[cfg(feature = "mesh-formats")]
-        Vtp = "vtp",
-        /// Gmsh's nodes and triangles, as text of version 2.2.
-        #[cfg(feature = "mesh-formats")]
-        Msh = "msh",
-        /// Triangles alone, as text.
-        #[cfg(feature = "mesh-formats")]
-        Stl = "stl",
-        /// Polygons of maps, as JSON.
-        #[cfg(feature = "mesh-formats")]
-        Geojson = "geojson",
-        /// Polygons as text.
-        #[cfg(feature = "mesh-formats")]
-        Wkt = "wkt",
-        /// Triangles as an array of NumPy.
-        #[cfg(feature = "mesh-formats")]
-        Npy = "npy",
-        /// Points, edges and triangles as arrays of NumPy.
-        #[cfg(feature = "mesh-formats")]
-        Npz = "npz",
-        /// Faces of CAD, as text.
-        #[cfg(feature = "mesh-formats")]
-        Dxf = "dxf",
-    }
-}
-
-/// Writes `result`, the triangulation of the graph of `file`.
+/// Writes `result`, the triangulation of the graph of `file`, in one of [`Format::OUTPUTS`] that is no picture.
 ///
 /// ```
 /// use sweep_cdt::Pslg;
-/// use sweep_cdt_formats::{OutputFormat, write};
+/// use sweep_cdt_formats::{Format, write};
 ///
 /// let graph = Pslg { points: vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]], ..Pslg::default() };
 /// let result = sweep_cdt::triangulate(&graph.points, &graph.edges)?;
 /// let mut text = Vec::new();
-/// write(OutputFormat::Ele, &graph.into(), &result, &mut text)?;
+/// write(Format::Ele, &graph.into(), &result, &mut text)?;
 /// assert_eq!(text, b"1 3 0\n0 0 1 2\n");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
 /// # Errors
-/// Errors of `out`; [`io::ErrorKind::OutOfMemory`] where there is no room for the lists of triangles.
+/// Errors of `out`; [`io::ErrorKind::OutOfMemory`] where there is no room for the lists of triangles;
+/// [`io::ErrorKind::Unsupported`] for another format.
 pub fn write<S: Coordinate>(
-    format: OutputFormat,
+    format: Format,
     file: &GraphFile<S>,
     result: &Triangulation,
     out: &mut impl Write,
@@ -119,11 +60,11 @@ pub fn write<S: Coordinate>(
     expect_room(format, result.len())?;
     match format {
         // These two need no domain, which takes a look at all triangles.
-        OutputFormat::Ele => {
+        Format::Ele => {
             rows::write_triangles(file.numbering.vertex, &result.canonical_triangles(), out)
         }
-        OutputFormat::Node => write_node(file, out),
-        OutputFormat::Json => json::write(file, result, out),
+        Format::Node => write_node(file, out),
+        Format::Json => json::write(file, result, out),
         _ => write_interior(format, file, &Interior::whole(result), out),
     }
 }
@@ -135,66 +76,48 @@ pub fn write<S: Coordinate>(
 /// ```
 /// use sweep_cdt::Pslg;
 /// use sweep_cdt::interior::FillRule;
-/// use sweep_cdt_formats::{OutputFormat, write_interior};
+/// use sweep_cdt_formats::{Format, write_interior};
 ///
 /// let points = vec![[0.0, 0.0], [4.0, 3.0], [0.0, 6.0], [1.0, 3.0]];
 /// let edges = vec![[0, 1], [1, 2], [2, 3], [3, 0]];
 /// let graph = Pslg { points, edges, ..Pslg::default() };
 /// let result = sweep_cdt::triangulate(&graph.points, &graph.edges)?;
 /// let mut text = Vec::new();
-/// write_interior(OutputFormat::Ele, &graph.into(), &result.interior(FillRule::EvenOdd)?, &mut text)?;
+/// write_interior(Format::Ele, &graph.into(), &result.interior(FillRule::EvenOdd)?, &mut text)?;
 /// assert_eq!(text, b"2 3 0\n0 0 1 3\n1 1 2 3\n");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
 /// # Errors
-/// Errors of `out`; [`io::ErrorKind::OutOfMemory`] where there is no room for the lists of triangles.
+/// Errors of `out`; [`io::ErrorKind::OutOfMemory`] where there is no room for the lists of triangles;
+/// [`io::ErrorKind::Unsupported`] for another format.
 pub fn write_interior<S: Coordinate>(
-    format: OutputFormat,
+    format: Format,
     file: &GraphFile<S>,
     interior: &Interior<'_>,
     out: &mut impl Write,
 ) -> io::Result<()> {
     expect_room(format, interior.triangulation().len())?;
+    let mesh = || Mesh::of(file, interior);
+    let labelled = || mesh().with_labels(interior);
     match format {
-        OutputFormat::Ele => rows::write_ele(file, interior, out),
-        OutputFormat::Node => write_node(file, out),
-        OutputFormat::Json => json::write_interior(file, interior, out),
-        OutputFormat::Cert => write_certified(file, interior, out),
-        OutputFormat::Obj => Mesh::of(file, interior).with_sides(interior).write_obj(out),
-        OutputFormat::Off => Mesh::of(file, interior).write_off(out),
-        #[cfg(feature = "mesh-formats")]
-        OutputFormat::Ply => Mesh::of(file, interior)
-            .with_labels(interior)
-            .write_ply(out),
-        #[cfg(feature = "mesh-formats")]
-        OutputFormat::Vtk => Mesh::of(file, interior)
-            .with_labels(interior)
-            .write_vtk(out),
-        #[cfg(feature = "mesh-formats")]
-        OutputFormat::Vtu => Mesh::of(file, interior)
-            .with_labels(interior)
-            .write_vtu(out),
-        #[cfg(feature = "mesh-formats")]
-        OutputFormat::Vtp => Mesh::of(file, interior)
-            .with_labels(interior)
-            .write_vtp(out),
-        #[cfg(feature = "mesh-formats")]
-        OutputFormat::Msh => Mesh::of(file, interior)
-            .with_labels(interior)
-            .write_msh(out),
-        #[cfg(feature = "mesh-formats")]
-        OutputFormat::Stl => Mesh::of(file, interior).write_stl(out),
-        #[cfg(feature = "mesh-formats")]
-        OutputFormat::Geojson => shapes::write_geojson(file, interior, out),
-        #[cfg(feature = "mesh-formats")]
-        OutputFormat::Wkt => shapes::write_wkt(file, interior, out),
-        #[cfg(feature = "mesh-formats")]
-        OutputFormat::Dxf => Mesh::of(file, interior).with_sides(interior).write_dxf(out),
-        #[cfg(feature = "mesh-formats")]
-        OutputFormat::Npy => Mesh::of(file, interior).write_triangles(out),
-        #[cfg(feature = "mesh-formats")]
-        OutputFormat::Npz => Mesh::of(file, interior).write_npz(true, out),
+        Format::Ele => rows::write_ele(file, interior, out),
+        Format::Node => write_node(file, out),
+        Format::Json => json::write_interior(file, interior, out),
+        Format::Cert => write_certified(file, interior, out),
+        Format::Obj => mesh().with_sides(interior).write_obj(out),
+        Format::Off => mesh().write_off(out),
+        Format::Ply => labelled().write_ply(out),
+        Format::Vtk => labelled().write_vtk(out),
+        Format::Vtu => labelled().write_vtu(out),
+        Format::Vtp => labelled().write_vtp(out),
+        Format::Msh => labelled().write_msh(out),
+        Format::Stl => mesh().write_stl(out),
+        Format::Geojson => shapes::write_geojson(file, interior, out),
+        Format::Wkt => shapes::write_wkt(file, interior, out),
+        Format::Npy => mesh().write_triangles(out),
+        Format::Npz => mesh().write_npz(true, out),
+        _ => Err(unsupported(format, "triangulation")),
     }
 }
 
@@ -219,12 +142,12 @@ fn write_certified<S: Coordinate>(
 }
 
 /// Refuses to write so many triangles where there is no memory for their lists.
-fn expect_room(format: OutputFormat, triangles: usize) -> io::Result<()> {
+fn expect_room(format: Format, triangles: usize) -> io::Result<()> {
     // The sorted list, made of groups; with both the places in it, and the neighbours.
     let each = match format {
-        OutputFormat::Node => 0,
-        OutputFormat::Json => 108,
-        OutputFormat::Cert => 140,
+        Format::Node => 0,
+        Format::Json => 108,
+        Format::Cert => 140,
         _ => 36,
     };
     if has_room(triangles.saturating_mul(each)) {
@@ -234,57 +157,53 @@ fn expect_room(format: OutputFormat, triangles: usize) -> io::Result<()> {
     }
 }
 
-/// Writes a graph that is not triangulated, in a format from which [`read()`](crate::read()) makes the same one, but for
-/// fractions, which only `.node`, `.poly`, `.json` and points as text hold: the others have the nearest doubles. A
-/// `.node` and points as text hold vertices alone, and a `.poly` without vertices is read as one whose vertices are in the
-/// `.node` beside it.
+/// The error of a format that has no room for this.
+fn unsupported(format: Format, what: &str) -> io::Error {
+    io::Error::new(io::ErrorKind::Unsupported, format.lacks(what))
+}
+
+/// Writes a graph that is not triangulated, in one of [`Format::INPUTS`]. [`read()`](crate::read()) makes the same one of
+/// it, but for fractions, which only `.node`, `.poly`, `.json` and points as text hold: the others have the nearest
+/// doubles. A `.node` and points as text hold vertices alone, and a `.poly` without vertices is read as one whose vertices
+/// are in the `.node` beside it.
 ///
 /// ```
 /// use sweep_cdt::Pslg;
-/// use sweep_cdt_formats::{InputFormat, write_graph};
+/// use sweep_cdt_formats::{Format, write_graph};
 ///
 /// let points = vec![[0.0, 0.5], [2.0, 0.0]];
 /// let graph = Pslg { points, edges: vec![[0, 1]], ..Pslg::default() };
 /// let mut text = Vec::new();
-/// write_graph(InputFormat::Poly, &graph.into(), &mut text)?;
+/// write_graph(Format::Poly, &graph.into(), &mut text)?;
 /// assert_eq!(text, b"2 2 0 0\n0 0 0.5\n1 2 0\n1 0\n0 0 1\n0\n");
 /// # Ok::<(), std::io::Error>(())
 /// ```
 ///
 /// # Errors
-/// Errors of `out`.
+/// Errors of `out`; [`io::ErrorKind::Unsupported`] for another format.
 pub fn write_graph<S: Coordinate>(
-    format: InputFormat,
+    format: Format,
     file: &GraphFile<S>,
     out: &mut impl Write,
 ) -> io::Result<()> {
+    let mesh = || Mesh::of_graph(file);
     match format {
-        InputFormat::Node => write_node(file, out),
-        InputFormat::Poly => rows::write_poly(file, out),
-        InputFormat::Json => json::write_graph(file, out),
-        InputFormat::Obj => Mesh::of_graph(file).write_obj(out),
-        InputFormat::Off => Mesh::of_graph(file).write_off(out),
-        InputFormat::Csv => points::write(file, b',', out),
-        InputFormat::Xyz | InputFormat::Txt => points::write(file, b' ', out),
-        #[cfg(feature = "mesh-formats")]
-        InputFormat::Ply => Mesh::of_graph(file).write_ply(out),
-        #[cfg(feature = "mesh-formats")]
-        InputFormat::Vtk => Mesh::of_graph(file).write_vtk(out),
-        #[cfg(feature = "mesh-formats")]
-        InputFormat::Vtu => Mesh::of_graph(file).write_vtu(out),
-        #[cfg(feature = "mesh-formats")]
-        InputFormat::Vtp => Mesh::of_graph(file).write_vtp(out),
-        #[cfg(feature = "mesh-formats")]
-        InputFormat::Msh => Mesh::of_graph(file).write_msh(out),
-        #[cfg(feature = "mesh-formats")]
-        InputFormat::Geojson => shapes::write_geojson_graph(file, out),
-        #[cfg(feature = "mesh-formats")]
-        InputFormat::Wkt => shapes::write_wkt_graph(file, out),
-        #[cfg(feature = "mesh-formats")]
-        InputFormat::Dxf => Mesh::of_graph(file).write_dxf(out),
-        #[cfg(feature = "mesh-formats")]
-        InputFormat::Npy => Mesh::of_graph(file).write_points(out),
-        #[cfg(feature = "mesh-formats")]
-        InputFormat::Npz => Mesh::of_graph(file).write_npz(false, out),
+        Format::Node => write_node(file, out),
+        Format::Poly => rows::write_poly(file, out),
+        Format::Json => json::write_graph(file, out),
+        Format::Obj => mesh().write_obj(out),
+        Format::Off => mesh().write_off(out),
+        Format::Csv => points::write(file, b',', out),
+        Format::Xyz | Format::Txt => points::write(file, b' ', out),
+        Format::Ply => mesh().write_ply(out),
+        Format::Vtk => mesh().write_vtk(out),
+        Format::Vtu => mesh().write_vtu(out),
+        Format::Vtp => mesh().write_vtp(out),
+        Format::Msh => mesh().write_msh(out),
+        Format::Geojson => shapes::write_geojson_graph(file, out),
+        Format::Wkt => shapes::write_wkt_graph(file, out),
+        Format::Npy => mesh().write_points(out),
+        Format::Npz => mesh().write_npz(false, out),
+        _ => Err(unsupported(format, "graph")),
     }
 }

@@ -142,12 +142,14 @@ pub(super) fn write_rows(
     row: impl Fn(usize, &mut Vec<u8>) + Sync + Send,
 ) -> io::Result<()> {
     const ROWS: usize = 1 << 12;
-    let text = |start| {
+    // Through `dyn`, so that the work on all cores is compiled once for all kinds of rows.
+    let text: &(dyn Fn(usize) -> Vec<u8> + Sync) = &|start| {
         let mut text = Vec::new();
         (start..count.min(start + ROWS)).for_each(|at| row(at, &mut text));
         text
     };
-    in_turn((0..count).step_by(ROWS), text, |text| out.write_all(&text))
+    let take: &mut dyn FnMut(Vec<u8>) -> io::Result<()> = &mut |text| out.write_all(&text);
+    in_turn((0..count).step_by(ROWS), text, take)
 }
 
 /// Appends numbers with spaces between them. All get their digits before the first is copied: a copy straight

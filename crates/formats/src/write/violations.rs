@@ -31,12 +31,12 @@ struct Properties {
 /// ```
 /// use sweep_cdt::Pslg;
 /// use sweep_cdt::verify::verify;
-/// use sweep_cdt_formats::{ResultFormat, Source, read_result, write_violations};
+/// use sweep_cdt_formats::{Format, Source, read_result, write_violations};
 ///
 /// let points = vec![[0.0, 0.0], [3.0, 0.0], [0.0, 3.0], [1.0, 1.0]];
 /// let input = Pslg { points, ..Pslg::default() }.into();
 /// let source = Source::new("r.json", b"{\"triangles\": [[0, 1, 2]]}".to_vec());
-/// let triangles = read_result(ResultFormat::Json, &source, None, &input)?;
+/// let triangles = read_result(Format::Json, &source, None, &input)?;
 /// let found = verify(&input.graph.points, &[], &triangles.list).unwrap_err();
 /// let mut text = Vec::new();
 /// write_violations(&input, &triangles, &found.list, &mut text)?;

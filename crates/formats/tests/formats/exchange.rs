@@ -3,7 +3,7 @@
 
 use sweep_cdt::{Pslg, Region};
 use sweep_cdt_formats::{
-    Column, CoordinateSystem, GraphFile, Input, InputFormat, Named, Source, read, write_graph,
+    Column, CoordinateSystem, Format, GraphFile, Input, Source, read, write_graph,
 };
 use sweep_cdt_testing::Random;
 
@@ -22,7 +22,7 @@ struct Holds {
 
 impl Holds {
     /// As `docs/formats.md` says.
-    fn of(format: InputFormat) -> Option<Holds> {
+    fn of(format: Format) -> Option<Holds> {
         let nothing = Holds::default();
         let mesh = Holds {
             edges: true,
@@ -30,18 +30,18 @@ impl Holds {
             ..nothing
         };
         Some(match format {
-            InputFormat::Node => Holds {
+            Format::Node => Holds {
                 heights: true,
                 vertex_markers: true,
                 ..nothing
             },
-            InputFormat::Poly => Holds {
+            Format::Poly => Holds {
                 vertex_markers: true,
                 edge_markers: true,
                 seeds: true,
                 ..mesh
             },
-            InputFormat::Json => Holds {
+            Format::Json => Holds {
                 columns: true,
                 vertex_markers: true,
                 edge_markers: true,
@@ -49,26 +49,23 @@ impl Holds {
                 system: true,
                 ..mesh
             },
-            InputFormat::Obj | InputFormat::Off => mesh,
-            #[cfg(feature = "mesh-formats")]
-            InputFormat::Ply | InputFormat::Vtk | InputFormat::Vtu | InputFormat::Vtp => Holds {
+            Format::Obj | Format::Off => mesh,
+            Format::Ply | Format::Vtk | Format::Vtu | Format::Vtp => Holds {
                 columns: true,
                 vertex_markers: true,
                 edge_markers: true,
                 ..mesh
             },
-            #[cfg(feature = "mesh-formats")]
-            InputFormat::Msh => Holds {
+            Format::Msh => Holds {
                 vertex_markers: true,
                 edge_markers: true,
                 ..mesh
             },
-            #[cfg(feature = "mesh-formats")]
-            InputFormat::Geojson | InputFormat::Wkt => Holds {
+            Format::Geojson | Format::Wkt => Holds {
                 system: true,
                 ..mesh
             },
-            InputFormat::Csv => Holds {
+            Format::Csv => Holds {
                 heights: true,
                 columns: true,
                 vertex_markers: true,
@@ -148,7 +145,7 @@ fn file(random: &mut Random) -> GraphFile<f64> {
 }
 
 /// A file that is written in a format and read again.
-fn passed(format: InputFormat, file: &GraphFile<f64>) -> GraphFile<f64> {
+fn passed(format: Format, file: &GraphFile<f64>) -> GraphFile<f64> {
     let mut bytes = Vec::new();
     write_graph(format, file, &mut bytes).expect("memory takes it");
     match read(format, &Source::new("file", bytes.clone()), None) {
@@ -170,10 +167,10 @@ fn marked(file: &GraphFile<f64>) -> Option<Vec<i64>> {
 
 #[test]
 fn no_number_is_invented_and_none_is_lost() {
-    let formats = InputFormat::ALL
+    let formats = Format::INPUTS
         .iter()
         .filter_map(|&format| Some((format, Holds::of(format)?)));
-    let formats: Vec<(InputFormat, Holds)> = formats.collect();
+    let formats: Vec<(Format, Holds)> = formats.collect();
     assert!(formats.len() >= 6);
     for seed in 0..40 {
         let mut random = Random::new(seed);

@@ -7,8 +7,8 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use sweep_cdt::{Error, Pslg};
 use sweep_cdt_formats::{
-    self as formats, Coordinate, CoordinateError, GraphFile, Input, InputFormat, MAX_DIGITS,
-    Matched, Numbering, ResultFormat, Source, Triangles, read_result, write_node,
+    self as formats, Coordinate, CoordinateError, Format, GraphFile, Input, MAX_DIGITS, Matched,
+    Numbering, Source, Triangles, read_result, write_node,
 };
 use sweep_cdt_testing::Random;
 
@@ -25,13 +25,13 @@ fn input() -> GraphFile<f64> {
     graph.into()
 }
 
-fn read(format: ResultFormat, text: &str) -> Result<Triangles, String> {
+fn read(format: Format, text: &str) -> Result<Triangles, String> {
     read_result(format, &source(text), None, &input()).map_err(|error| error.to_string())
 }
 
 #[test]
 fn of_equal_vertices_the_first_is_matched() {
-    let triangles = read(ResultFormat::Obj, "v 1 0 0\nv 0 1 0\nv 0 0 0\nf 3 1 2\n");
+    let triangles = read(Format::Obj, "v 1 0 0\nv 0 1 0\nv 0 0 0\nf 3 1 2\n");
     let triangles = triangles.expect("a result");
     assert_eq!(triangles.matched, Matched::Equal);
     assert_eq!(triangles.list, [[0, 1, 3]]);
@@ -40,23 +40,23 @@ fn of_equal_vertices_the_first_is_matched() {
 #[test]
 fn a_vertex_counted_back_beyond_the_first_is_refused() {
     let text = |back: &str| format!("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -1 -2 {back}\n");
-    assert!(read(ResultFormat::Obj, &text("-3")).is_ok());
+    assert!(read(Format::Obj, &text("-3")).is_ok());
     for back in ["-4", "-5", "-0"] {
-        let error = read(ResultFormat::Obj, &text(back)).expect_err("no vertex");
+        let error = read(Format::Obj, &text(back)).expect_err("no vertex");
         assert_eq!(error, format!("file:4: `{back}` is not a vertex's number"));
     }
 }
 
 #[test]
 fn corners_in_one_list_come_in_threes() {
-    let flat = |list: &str| read(ResultFormat::Json, &format!("{{\"triangles\": [{list}]}}"));
+    let flat = |list: &str| read(Format::Json, &format!("{{\"triangles\": [{list}]}}"));
     assert_eq!(flat("0, 1, 3").expect("a triangle").list, [[0, 1, 3]]);
     assert!(flat("0, 1, 3, 2").is_err());
 }
 
 #[test]
 fn without_a_node_vertices_are_numbered_as_triangles_are() {
-    let corners = |text| read(ResultFormat::Ele, text).expect("a triangle").list;
+    let corners = |text| read(Format::Ele, text).expect("a triangle").list;
     assert_eq!(corners("1 3 0\n0 0 1 3\n"), [[0, 1, 3]]);
     assert_eq!(corners("1 3 0\n1 1 2 4\n"), [[0, 1, 3]]);
 }
@@ -123,7 +123,7 @@ fn exponents_of_exact_numbers_are_limited() {
     }
     let bytes = b"2 2\n1 1/3 0\n2 0 7e-9999\n".to_vec();
     let source = Source::new("a.node", bytes);
-    let error = formats::read(InputFormat::Node, &source, None).expect_err("too many zeros");
+    let error = formats::read(Format::Node, &source, None).expect_err("too many zeros");
     let why = "`7e-9999` has an exponent beyond 400, the limit where numbers are read exactly";
     assert_eq!(error.to_string(), format!("a.node:3: {why}"));
 }
@@ -226,7 +226,7 @@ fn a_file_that_changes_is_read() {
 fn numbers_of_many_digits_end_a_line() {
     let read = |count: &str| {
         let text = format!("{count}\n0 0 0\n");
-        let read = formats::read(InputFormat::Node, &source(&text), None);
+        let read = formats::read(Format::Node, &source(&text), None);
         read.expect_err("other counts").to_string()
     };
     for count in ["9999999999999999999", "18446744073709551615"] {
@@ -244,7 +244,7 @@ fn numbers_of_many_digits_end_a_line() {
 #[test]
 fn attributes_and_a_marker_without_end() {
     let text = format!("1 2 {} 1\n0 0.5 0.25 7\n", usize::MAX);
-    let error = formats::read(InputFormat::Node, &source(&text), None).expect_err("one attribute");
+    let error = formats::read(Format::Node, &source(&text), None).expect_err("one attribute");
     assert_eq!(
         error.to_string(),
         "file:2: the line ends where an attribute should follow"
@@ -271,7 +271,7 @@ fn long(points: usize) -> Vec<String> {
 fn long_files_are_read_like_short_ones() {
     const POINTS: usize = 60_000;
     let lines = long(POINTS);
-    let read = |lines: &[String]| formats::read(InputFormat::Poly, &source(&lines.concat()), None);
+    let read = |lines: &[String]| formats::read(Format::Poly, &source(&lines.concat()), None);
     let Ok(Input::Doubles(file)) = read(&lines) else {
         panic!("a file without faults");
     };
@@ -343,7 +343,7 @@ fn very_long_files_come_back() {
     write_node(&file, &mut text).expect("memory takes it");
     let text = String::from_utf8(text).expect("text");
     assert!(text.len() > 5_000_000, "several blocks of chunks");
-    let read = |text: &str| formats::read(InputFormat::Node, &source(text), None);
+    let read = |text: &str| formats::read(Format::Node, &source(text), None);
     match read(&text) {
         Ok(Input::Doubles(back)) => assert_eq!(back.graph.points, file.graph.points),
         other => panic!("{other:?}"),

@@ -9,8 +9,7 @@ use serde::Deserialize;
 use sweep_cdt::Pslg;
 use sweep_cdt::verify::Verifier;
 use sweep_cdt_formats::{
-    Column, GraphFile, Input, InputFormat, Matched, Named, OutputFormat, ResultFormat, Source,
-    read, read_result, write, write_graph,
+    Column, Format, GraphFile, Input, Matched, Source, read, read_result, write, write_graph,
 };
 use sweep_cdt_testing::Random;
 
@@ -73,7 +72,7 @@ fn source(bytes: &[u8]) -> Source {
 
 /// An input of doubles.
 #[track_caller]
-fn file(format: InputFormat, source: &Source) -> GraphFile<f64> {
+fn file(format: Format, source: &Source) -> GraphFile<f64> {
     match read(format, source, None) {
         Ok(Input::Doubles(file)) => file,
         other => panic!("{format:?}: {other:?}"),
@@ -86,7 +85,7 @@ fn triangles_of_other_programs_are_read() {
     let input = terrain.file();
     let is_result = |sample: &&Sample| !["graph", "refused"].contains(&sample.kind.as_str());
     for sample in samples.iter().filter(is_result) {
-        let format = ResultFormat::named(&sample.format).expect("a format that is read");
+        let format = Format::named(&sample.format, Format::RESULTS).expect("a format that is read");
         let result = read_result(format, &sample.source(), None, &input);
         let result = result.unwrap_or_else(|error| panic!("{}: {error}", sample.origin));
         assert_eq!(result.list, terrain.triangles, "{}", sample.origin);
@@ -111,7 +110,7 @@ fn graphs_of_other_programs_are_read() {
     let expected = terrain.file();
     let is_input = |sample: &&Sample| ["triangles", "all", "graph"].contains(&sample.kind.as_str());
     for sample in samples.iter().filter(is_input) {
-        let format = InputFormat::named(&sample.format).expect("a format that is read");
+        let format = Format::named(&sample.format, Format::INPUTS).expect("a format that is read");
         let found = file(format, &sample.source());
         assert_eq!(
             found.graph.points, expected.graph.points,
@@ -137,14 +136,14 @@ fn other_columns_go_with_the_vertices() {
         .iter()
         .filter(|sample| sample.kind != "refused" && !sample.origin.starts_with("struct"))
     {
-        let format = InputFormat::named(&sample.format);
-        if let Some(format @ (InputFormat::Ply | InputFormat::Vtk | InputFormat::Vtu)) = format {
+        let format = Format::named(&sample.format, Format::INPUTS);
+        if let Some(format @ (Format::Ply | Format::Vtk | Format::Vtu)) = format {
             let read_first = file(format, &sample.source());
             assert_eq!(
                 read_first.columns[1..],
                 [rain([1.5, 2.0, 3.0, 4.0, 5.0, 0.1])]
             );
-            for again in [InputFormat::Ply, InputFormat::Vtk, InputFormat::Vtu] {
+            for again in [Format::Ply, Format::Vtk, Format::Vtu] {
                 let mut text = Vec::new();
                 write_graph(again, &read_first, &mut text).expect("memory takes it");
                 assert_eq!(
@@ -154,8 +153,8 @@ fn other_columns_go_with_the_vertices() {
                 );
             }
             let mut text = Vec::new();
-            write_graph(InputFormat::Node, &read_first, &mut text).expect("memory takes it");
-            let of_node = file(InputFormat::Node, &source(&text)).columns;
+            write_graph(Format::Node, &read_first, &mut text).expect("memory takes it");
+            let of_node = file(Format::Node, &source(&text)).columns;
             assert_eq!(of_node[0], read_first.columns[0]);
             assert_eq!(of_node[1].values, read_first.columns[1].values);
             count += 1;
@@ -165,8 +164,8 @@ fn other_columns_go_with_the_vertices() {
 }
 
 /// Whether a format holds more than vertices.
-fn has_edges(format: InputFormat) -> bool {
-    use InputFormat::{Csv, Node, Npy, Txt, Xyz};
+fn has_edges(format: Format) -> bool {
+    use Format::{Csv, Node, Npy, Txt, Xyz};
     ![Node, Csv, Xyz, Txt, Npy].contains(&format)
 }
 
@@ -179,7 +178,7 @@ fn every_format_reads_what_it_writes() {
         ..terrain.clone()
     };
     for written in [terrain, flat] {
-        for &format in InputFormat::ALL {
+        for &format in Format::INPUTS {
             let mut text = Vec::new();
             write_graph(format, &written, &mut text).expect("memory takes it");
             let again = file(format, &source(&text));
@@ -191,10 +190,9 @@ fn every_format_reads_what_it_writes() {
         }
         let result = sweep_cdt::triangulate(&written.graph.points, &written.graph.edges);
         let result = result.expect("edges do not cross");
-        for &format in ResultFormat::ALL {
-            let same = OutputFormat::named(format.name()).expect("the same name");
+        for &format in Format::RESULTS {
             let mut text = Vec::new();
-            write(same, &written, &result, &mut text).expect("memory takes it");
+            write(format, &written, &result, &mut text).expect("memory takes it");
             let again = read_result(format, &source(&text), None, &written);
             let again = again.unwrap_or_else(|error| panic!("{format:?}: {error}"));
             assert_eq!(again.list, result.canonical_triangles(), "{format:?}");
@@ -226,9 +224,9 @@ fn missing_heights_stay_missing() {
             assert_eq!(again.columns, written.columns, "{format:?}");
             again
         };
-        for &one in InputFormat::ALL {
+        for &one in Format::INPUTS {
             let again = through(one, &written);
-            for &other in InputFormat::ALL {
+            for &other in Format::INPUTS {
                 through(other, &again);
             }
         }
@@ -253,20 +251,20 @@ fn what_a_file_says_of_heights_is_kept() {
     };
     let nan = f64::NAN;
     let wkt = "LINESTRING (0 0, 10 10)\nLINESTRING Z (0 0 5, 5 5 6, 10 10 7)";
-    is(&heights(InputFormat::Wkt, wkt), &[5.0, 7.0, 6.0]);
+    is(&heights(Format::Wkt, wkt), &[5.0, 7.0, 6.0]);
     is(
-        &heights(InputFormat::Wkt, "MULTIPOINT Z (0 0 NaN, 1 0 2)"),
+        &heights(Format::Wkt, "MULTIPOINT Z (0 0 NaN, 1 0 2)"),
         &[nan, 2.0],
     );
     is(
-        &heights(InputFormat::Wkt, "MULTIPOINT Z (0 0 NaN, 1 0 nan)"),
+        &heights(Format::Wkt, "MULTIPOINT Z (0 0 NaN, 1 0 nan)"),
         &[],
     );
     let json = "{\"points\": [[0, 0, null], [1, 0, 2], [0, 1]]}";
-    is(&heights(InputFormat::Json, json), &[nan, 2.0, nan]);
+    is(&heights(Format::Json, json), &[nan, 2.0, nan]);
     let ply = "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\n\
                property float intensity\nend_header\n0 0 nan\n1 0 0.5\n";
-    is(&heights(InputFormat::Ply, ply), &[nan, 0.5]);
+    is(&heights(Format::Ply, ply), &[nan, 0.5]);
 }
 
 #[test]
@@ -284,7 +282,7 @@ fn damaged_files_are_refused_or_read_but_nothing_else() {
         }
         for bytes in damaged {
             let source = source(&bytes);
-            if let Some(format) = ResultFormat::named(&sample.format) {
+            if let Some(format) = Format::named(&sample.format, Format::RESULTS) {
                 match read_result(format, &source, None, &input) {
                     Ok(triangles) => {
                         drop(Verifier::new().verify(&input.graph.points, &[], &triangles.list));
@@ -292,7 +290,7 @@ fn damaged_files_are_refused_or_read_but_nothing_else() {
                     Err(error) => assert!(error.to_string().starts_with("file:")),
                 }
             }
-            if let Some(format) = InputFormat::named(&sample.format)
+            if let Some(format) = Format::named(&sample.format, Format::INPUTS)
                 && let Err(error) = read(format, &source, None)
             {
                 assert!(error.to_string().starts_with("file:"));
@@ -315,10 +313,10 @@ fn counts_are_not_believed() {
                 if bytes[at..].starts_with(number.as_bytes()) {
                     let after = &bytes[at + number.len()..];
                     let source = source(&[&bytes[..at], MANY.as_bytes(), after].concat());
-                    if let Some(format) = InputFormat::named(&sample.format) {
+                    if let Some(format) = Format::named(&sample.format, Format::INPUTS) {
                         drop(read(format, &source, None));
                     }
-                    if let Some(format) = ResultFormat::named(&sample.format) {
+                    if let Some(format) = Format::named(&sample.format, Format::RESULTS) {
                         drop(read_result(
                             format,
                             &source,
@@ -410,7 +408,7 @@ fn triangles_are_written_by_the_book() {
         ),
     ] {
         let mut text = Vec::new();
-        let format = OutputFormat::named(format).expect("a format");
+        let format = Format::named(format, Format::OUTPUTS).expect("a format");
         write(format, &file, &result, &mut text).expect("memory takes it");
         let text = String::from_utf8(text).expect("text");
         assert_eq!(text.trim_end().replace('\n', "|"), lines, "{format:?}");
@@ -427,12 +425,7 @@ fn corners_are_the_lowest_of_equal_vertices() {
         ..Pslg::default()
     };
     let text = "MULTIPOLYGON (((0 0, 1 -2, 2 -2, 0 0)), ((0 0, 2 -2, 3 0, 0 0)))";
-    let result = read_result(
-        ResultFormat::Wkt,
-        &source(text.as_bytes()),
-        None,
-        &graph.into(),
-    )
-    .expect("its vertices");
+    let result = read_result(Format::Wkt, &source(text.as_bytes()), None, &graph.into())
+        .expect("its vertices");
     assert_eq!(result.list, [[0, 1, 2], [0, 2, 5]]);
 }

@@ -1,10 +1,7 @@
 //! Formats of other programs: what is refused, and why; and what is ignored.
 
 use sweep_cdt::Pslg;
-use sweep_cdt_formats::{
-    GraphFile, Input, InputFormat, Matched, Matching, Named, ResultFormat, Source, read,
-    read_result,
-};
+use sweep_cdt_formats::{Format, GraphFile, Input, Matched, Matching, Source, read, read_result};
 
 fn source(text: &str) -> Source {
     Source::new("file", text.replace('|', "\n").into_bytes())
@@ -20,7 +17,7 @@ fn square() -> GraphFile<f64> {
 
 #[track_caller]
 fn file(format: &str, text: &str) -> GraphFile<f64> {
-    let format = InputFormat::named(format).expect("a format of inputs");
+    let format = Format::named(format, Format::INPUTS).expect("a format of inputs");
     match read(format, &source(text), None) {
         Ok(Input::Doubles(file)) => file,
         other => panic!("{format:?}: {other:?}"),
@@ -28,7 +25,7 @@ fn file(format: &str, text: &str) -> GraphFile<f64> {
 }
 
 fn triangles(format: &str, text: &str) -> Result<Vec<[usize; 3]>, String> {
-    let format = ResultFormat::named(format).expect("a format of results");
+    let format = Format::named(format, Format::RESULTS).expect("a format of results");
     let result = read_result(format, &source(text), None, &square());
     result
         .map(|result| result.list)
@@ -206,7 +203,7 @@ const WRONG: &[(&str, &str, &str)] = &[
 #[test]
 fn what_is_wrong_is_said() {
     for &(format, text, expected) in WRONG {
-        let format = InputFormat::named(format).expect("a format of inputs");
+        let format = Format::named(format, Format::INPUTS).expect("a format of inputs");
         let error = read(format, &source(text), None).expect_err(text);
         assert_eq!(error.to_string(), expected, "{text}");
     }
@@ -274,7 +271,7 @@ fn collections_in_collections_do_not_recurse() {
     };
     assert!(file("geojson", &geojson(101)).graph.points.is_empty());
     for depth in [102, depth] {
-        let error = read(InputFormat::Geojson, &source(&geojson(depth)), None).expect_err("deep");
+        let error = read(Format::Geojson, &source(&geojson(depth)), None).expect_err("deep");
         let error = error.to_string();
         assert!(error.ends_with(": more than 100 objects are in each other"));
     }
@@ -283,9 +280,9 @@ fn collections_in_collections_do_not_recurse() {
 #[test]
 fn fractions_are_read_in_texts() {
     let read = |format, text: &str| read(format, &source(text), None);
-    let wkt = read(InputFormat::Wkt, "MULTIPOINT (1/3 0.1, (0.5 2))");
+    let wkt = read(Format::Wkt, "MULTIPOINT (1/3 0.1, (0.5 2))");
     let json = read(
-        InputFormat::Json,
+        Format::Json,
         r#"{"vertices": [["1/3", 0.1], [0.5, 2]], "segments": []}"#,
     );
     assert!(matches!(&wkt, Ok(Input::Rationals(_))));
@@ -304,7 +301,7 @@ fn json_has_the_names_of_other_programs() {
         );
     }
     let both = r#"{"points": [[0, 0]], "vertices": [[0, 0]]}"#;
-    let error = read(InputFormat::Json, &source(both), None).expect_err("two lists of points");
+    let error = read(Format::Json, &source(both), None).expect_err("two lists of points");
     let expected = "file:1:34: `vertices` means the same as `points`, which is there, too";
     assert_eq!(error.to_string(), expected);
 }
@@ -327,25 +324,24 @@ fn coordinates_alone_decide_where_there_are_no_numbers() {
         ..Pslg::default()
     });
     let stl = single([[1.0, 1.0], [0.1, 0.0], [1.0, 0.3]]);
-    let result = read_result(ResultFormat::Stl, &stl, None, &input).expect("one vertex each");
+    let result = read_result(Format::Stl, &stl, None, &input).expect("one vertex each");
     assert_eq!(result.list, [[2, 0, 1]]);
     assert!(matches!(result.matched, Matched::Single { difference } if difference < 2e-8));
 
     let by_number = Matching::new().by_number(true);
     let error = by_number
-        .read(ResultFormat::Stl, &stl, None, &input)
+        .read(Format::Stl, &stl, None, &input)
         .expect_err("no numbers");
     let expected = "file: the triangles are coordinates, and their vertices have no numbers";
     assert_eq!(error.to_string(), expected);
 
     // Another vertex that is rounded to the same numbers.
     input.graph.points.push([0.1 + 1e-12, 0.0]);
-    assert!(read_result(ResultFormat::Stl, &stl, None, &input).is_err());
+    assert!(read_result(Format::Stl, &stl, None, &input).is_err());
     // As many vertices, none of them the input's: rounding does not help.
     let text = "POLYGON ((0.100001 0, 1 0.3, 1 1))";
     input.graph.points.pop();
-    let error =
-        read_result(ResultFormat::Wkt, &source(text), None, &input).expect_err("a stranger");
+    let error = read_result(Format::Wkt, &source(text), None, &input).expect_err("a stranger");
     let expected = "file:1: vertex 0 is at (0.100001, 0), where the input has none: the nearest is vertex 0 at \
          (0.1, 0), by 1.000000000001e-6";
     assert_eq!(error.to_string(), expected);

@@ -2,8 +2,7 @@
 
 use sweep_cdt::Pslg;
 use sweep_cdt_formats::{
-    Column, GraphFile, Input, InputFormat, Remark, ResultFormat, Source, read, read_result,
-    write_graph,
+    Column, Format, GraphFile, Input, Remark, Source, read, read_result, write_graph,
 };
 use sweep_cdt_testing::Random;
 
@@ -126,7 +125,7 @@ fn writers() -> Vec<Writer> {
 }
 
 fn input(bytes: &[u8]) -> Result<GraphFile<f64>, String> {
-    match read(InputFormat::Msh, &Source::new("file", bytes), None) {
+    match read(Format::Msh, &Source::new("file", bytes), None) {
         Ok(Input::Doubles(file)) => Ok(file),
         Ok(other) => panic!("{other:?}"),
         Err(error) => Err(error.to_string()),
@@ -146,7 +145,7 @@ fn triangles(bytes: &[u8]) -> Result<Vec<[usize; 3]>, String> {
         ..Pslg::default()
     };
     let source = Source::new("file", bytes);
-    let result = read_result(ResultFormat::Msh, &source, None, &graph.into());
+    let result = read_result(Format::Msh, &source, None, &graph.into());
     result
         .map(|result| result.list)
         .map_err(|error| error.to_string())
@@ -189,7 +188,7 @@ fn both_versions_and_orders_are_read() {
             assert_eq!(triangles(&bytes), Ok(vec![[0, 1, 2], [0, 2, 3]]));
             // As text it is the same.
             let mut text = Vec::new();
-            write_graph(InputFormat::Msh, &file, &mut text).expect("memory takes it");
+            write_graph(Format::Msh, &file, &mut text).expect("memory takes it");
             assert_eq!(input(&text).expect("a text").graph, file.graph);
         }
     }

@@ -7,8 +7,7 @@ use flate2::read::DeflateEncoder;
 use flate2::{Compression, Crc};
 use sweep_cdt::{Pslg, Region};
 use sweep_cdt_formats::{
-    Column, GraphFile, Input, InputFormat, OutputFormat, ReadErrorKind, ResultFormat, Source, read,
-    read_result, write, write_graph,
+    Column, Format, GraphFile, Input, ReadErrorKind, Source, read, read_result, write, write_graph,
 };
 use sweep_cdt_testing::Random;
 
@@ -94,7 +93,7 @@ fn zip(members: &[Member<'_>], lie: u32) -> Vec<u8> {
     [file, directory, end, vec![0; 2]].concat()
 }
 
-fn input(format: InputFormat, bytes: &[u8]) -> Result<GraphFile<f64>, String> {
+fn input(format: Format, bytes: &[u8]) -> Result<GraphFile<f64>, String> {
     match read(format, &Source::new("file", bytes), None) {
         Ok(Input::Doubles(file)) => Ok(file),
         Ok(other) => panic!("{other:?}"),
@@ -111,7 +110,7 @@ fn square() -> GraphFile<f64> {
     .into()
 }
 
-fn triangles(format: ResultFormat, bytes: &[u8]) -> Result<Vec<[usize; 3]>, String> {
+fn triangles(format: Format, bytes: &[u8]) -> Result<Vec<[usize; 3]>, String> {
     let result = read_result(format, &Source::new("file", bytes), None, &square());
     result
         .map(|result| result.list)
@@ -132,7 +131,7 @@ fn all_types_and_orders_are_read() {
     ];
     for descr in TYPES {
         for is_by_columns in [false, true] {
-            let file = input(InputFormat::Npy, &matrix(descr, &rows, is_by_columns));
+            let file = input(Format::Npy, &matrix(descr, &rows, is_by_columns));
             let file = file.expect(descr);
             assert_eq!(
                 file.graph.points,
@@ -151,16 +150,12 @@ fn all_types_and_orders_are_read() {
             let corners: [&[f64]; 2] = [&[0.0, 1.0, 2.0], &[0.0, 2.0, 3.0]];
             let result = matrix(descr, &corners, is_by_columns);
             let expected = vec![[0, 1, 2], [0, 2, 3]];
-            assert_eq!(
-                triangles(ResultFormat::Npy, &result),
-                Ok(expected),
-                "{descr}"
-            );
+            assert_eq!(triangles(Format::Npy, &result), Ok(expected), "{descr}");
         }
     }
     // Of single precision, and missing.
     let rows: [&[f64]; 2] = [&[-0.5, 0.25, f64::NAN], &[f64::from(0.1_f32), 1e30, 0.0]];
-    let file = input(InputFormat::Npy, &matrix("<f8", &rows, true)).expect("doubles");
+    let file = input(Format::Npy, &matrix("<f8", &rows, true)).expect("doubles");
     assert_eq!(
         file.graph.points,
         [[-0.5, 0.25], [f64::from(0.1_f32), 1e30]]
@@ -178,21 +173,17 @@ fn all_versions_and_shapes_are_read() {
     for version in [1, 2, 3] {
         for shape in ["(2, 2)", "(2L, 2L)", "(2,2,)"] {
             let file = npy(version, "'<f8'", false, shape, &numbers);
-            let graph = input(InputFormat::Npy, &file).expect(shape).graph;
+            let graph = input(Format::Npy, &file).expect(shape).graph;
             assert_eq!(graph.points, [[0.0, 0.0], [1.0, 0.5]]);
         }
     }
     for shape in ["(0, 2)", "(0,)", "(0, 3)", "(0, 1000000000000)"] {
         let file = npy(1, "'<f8'", false, shape, b"");
         assert_eq!(
-            input(InputFormat::Npy, &file)
-                .expect(shape)
-                .graph
-                .points
-                .len(),
+            input(Format::Npy, &file).expect(shape).graph.points.len(),
             0
         );
-        assert_eq!(triangles(ResultFormat::Npy, &file), Ok(vec![]), "{shape}");
+        assert_eq!(triangles(Format::Npy, &file), Ok(vec![]), "{shape}");
     }
     // As mapbox_earcut returns them.
     let list = [0.0, 1.0, 2.0, 0.0, 2.0, 3.0]
@@ -200,7 +191,7 @@ fn all_versions_and_shapes_are_read() {
         .flat_map(|&x| bytes("<u4", x));
     let list = npy(1, "'<u4'", false, "(6,)", &list.collect::<Vec<u8>>());
     assert_eq!(
-        triangles(ResultFormat::Npy, &list),
+        triangles(Format::Npy, &list),
         Ok(vec![[0, 1, 2], [0, 2, 3]])
     );
 }
@@ -211,7 +202,7 @@ fn what_is_no_such_array_is_refused() {
     let one = bytes("<f8", 1.0);
     let wrong = |version, descr: &str, shape: &str, numbers: &[u8], why: &str| {
         let file = npy(version, descr, false, shape, numbers);
-        let found = input(InputFormat::Npy, &file).expect_err(why);
+        let found = input(Format::Npy, &file).expect_err(why);
         assert_eq!(found, format!("file: {why}"));
     };
     wrong(
@@ -269,10 +260,10 @@ fn what_is_no_such_array_is_refused() {
     }
     for bytes in [&b""[..], b"1 2\n", b"\x93NUMP"] {
         let why = "file: it does not begin as an array of NumPy does (`.npy`)";
-        assert_eq!(input(InputFormat::Npy, bytes), Err(why.to_owned()));
+        assert_eq!(input(Format::Npy, bytes), Err(why.to_owned()));
     }
     for end in 6..good.len() {
-        assert!(input(InputFormat::Npy, &good[..end]).is_err(), "{end}");
+        assert!(input(Format::Npy, &good[..end]).is_err(), "{end}");
     }
     let large = "the array `points`: a whole number is 2^53 or more, which is no double";
     let number = (1_i64 << 53).to_le_bytes();
@@ -280,8 +271,8 @@ fn what_is_no_such_array_is_refused() {
     wrong(1, "'<u8'", "(1, 2)", &[255; 16], large);
     let archive = zip(&[("points.npy", false, &good)], 0);
     let why = "file: it is an archive of arrays: call it .npz";
-    assert_eq!(input(InputFormat::Npy, &archive), Err(why.to_owned()));
-    let result = |array: &[u8]| triangles(ResultFormat::Npy, array).expect_err("no triangles");
+    assert_eq!(input(Format::Npy, &archive), Err(why.to_owned()));
+    let result = |array: &[u8]| triangles(Format::Npy, array).expect_err("no triangles");
     assert_eq!(
         result(&matrix("<i4", &[&[0.0, 1.0, 2.0, 3.0]], false)),
         "file: the array `triangles`: the shape is (1, 4), and (t, 3) is read"
@@ -322,7 +313,7 @@ fn archives_are_read_by_names() {
                 ("regions.npy", is_packed, &regions),
             ];
             let archive = zip(&members, 0);
-            let graph = input(InputFormat::Npz, &archive).expect("an archive").graph;
+            let graph = input(Format::Npz, &archive).expect("an archive").graph;
             assert_eq!(graph.points, square().graph.points);
             assert_eq!(graph.edges, [[0, 2]]);
             assert_eq!(graph.holes, [[0.5, 0.25]]);
@@ -332,13 +323,13 @@ fn archives_are_read_by_names() {
             };
             assert_eq!(graph.regions, [region]);
             let expected = vec![[0, 1, 2], [0, 2, 3]];
-            assert_eq!(triangles(ResultFormat::Npz, &archive), Ok(expected.clone()));
+            assert_eq!(triangles(Format::Npz, &archive), Ok(expected.clone()));
             let alone = zip(&[("faces.npy", is_packed, &faces)], 0);
-            assert_eq!(triangles(ResultFormat::Npz, &alone), Ok(expected));
+            assert_eq!(triangles(Format::Npz, &alone), Ok(expected));
         }
     }
     let refused = |members: &[Member<'_>], lie, why: &str| {
-        let found = input(InputFormat::Npz, &zip(members, lie)).expect_err(why);
+        let found = input(Format::Npz, &zip(members, lie)).expect_err(why);
         assert_eq!(found, format!("file: {why}"));
     };
     refused(
@@ -393,12 +384,12 @@ fn archives_are_read_by_names() {
         .position(|&byte| byte == 0x3f)
         .expect("a one");
     damaged[at] ^= 1;
-    let found = input(InputFormat::Npz, &damaged).expect_err("a sum is wrong");
+    let found = input(Format::Npz, &damaged).expect_err("a sum is wrong");
     assert!(
         found.starts_with("file: the archive is not read: `points`: Invalid checksum"),
         "{found}"
     );
-    assert!(input(InputFormat::Npz, b"PK").is_err());
+    assert!(input(Format::Npz, b"PK").is_err());
 }
 
 /// A thousand bytes that say they unpack to a million.
@@ -408,13 +399,7 @@ fn what_an_archive_unpacks_to_has_a_limit() {
     let archive = zip(&[("points.npy", true, &matrix("<f8", &rows, false))], 0);
     let source = Source::new("file", archive);
     assert!(source.bytes.len() < 10_000);
-    let read = |limit| {
-        read(
-            InputFormat::Npz,
-            &source.clone().unpacked_limit(limit),
-            None,
-        )
-    };
+    let read = |limit| read(Format::Npz, &source.clone().unpacked_limit(limit), None);
     let error = read(1_000_000).expect_err("more than the limit");
     assert_eq!(
         error.kind,
@@ -438,7 +423,7 @@ fn arrays_are_written_by_the_book() {
         values: vec![1.0, 2.0, 3.0, f64::NAN],
     });
     let mut written = Vec::new();
-    write_graph(InputFormat::Npy, &file, &mut written).expect("memory takes it");
+    write_graph(Format::Npy, &file, &mut written).expect("memory takes it");
     let header = "{'descr': '<f8', 'fortran_order': False, 'shape': (4, 4), }";
     let head = [
         b"\x93NUMPY\x01\0\x76\0",
@@ -451,7 +436,7 @@ fn arrays_are_written_by_the_book() {
         .flat_map(|&x| bytes("<f8", x))
         .collect();
     assert_eq!(written[128 + 32..128 + 64], row);
-    let again = input(InputFormat::Npy, &written).expect("an array");
+    let again = input(Format::Npy, &written).expect("an array");
     assert_eq!(again.graph.points, file.graph.points);
     let rain = Column {
         name: "column4".to_owned(),
@@ -465,15 +450,12 @@ fn arrays_are_written_by_the_book() {
         attribute: 2.0,
     });
     let mut archive = Vec::new();
-    write_graph(InputFormat::Npz, &file, &mut archive).expect("memory takes it");
-    let again = input(InputFormat::Npz, &archive).expect("an archive");
+    write_graph(Format::Npz, &file, &mut archive).expect("memory takes it");
+    let again = input(Format::Npz, &archive).expect("an archive");
     assert_eq!(again.graph, file.graph);
     let result =
         sweep_cdt::triangulate(&file.graph.points, &file.graph.edges).expect("no crossing");
-    for (output, format) in [
-        (OutputFormat::Npy, ResultFormat::Npy),
-        (OutputFormat::Npz, ResultFormat::Npz),
-    ] {
+    for (output, format) in [(Format::Npy, Format::Npy), (Format::Npz, Format::Npz)] {
         let mut written = Vec::new();
         write(output, &file, &result, &mut written).expect("memory takes it");
         assert_eq!(
@@ -492,10 +474,7 @@ fn a_result_without_triangles_is_one() {
     };
     let file = GraphFile::from(graph);
     let result = sweep_cdt::triangulate(&file.graph.points, &[]).expect("no edges");
-    for (output, format) in [
-        (OutputFormat::Npy, ResultFormat::Npy),
-        (OutputFormat::Npz, ResultFormat::Npz),
-    ] {
+    for (output, format) in [(Format::Npy, Format::Npy), (Format::Npz, Format::Npz)] {
         let mut written = Vec::new();
         write(output, &file, &result, &mut written).expect("memory takes it");
         let again = read_result(format, &Source::new("file", written), None, &file);
@@ -520,7 +499,7 @@ fn damaged_archives_are_refused_or_read_but_nothing_else() {
             ],
             0,
         );
-        assert!(input(InputFormat::Npz, &whole).is_ok());
+        assert!(input(Format::Npz, &whole).is_ok());
         let mut refused = 0;
         for _ in 0..20_000 {
             let mut damaged = whole.clone();
@@ -530,8 +509,8 @@ fn damaged_archives_are_refused_or_read_but_nothing_else() {
                 damaged[at] = few[dice.below(few.len())];
             }
             damaged.truncate(damaged.len() - dice.below(3) / 2 * dice.below(damaged.len()));
-            refused += usize::from(input(InputFormat::Npz, &damaged).is_err());
-            drop(triangles(ResultFormat::Npz, &damaged));
+            refused += usize::from(input(Format::Npz, &damaged).is_err());
+            drop(triangles(Format::Npz, &damaged));
         }
         assert!((1000..20_000).contains(&refused), "{refused}");
     }
@@ -540,8 +519,8 @@ fn damaged_archives_are_refused_or_read_but_nothing_else() {
             for byte in 0..=255 {
                 let mut damaged = whole.clone();
                 damaged[at] = byte;
-                drop(input(InputFormat::Npy, &damaged));
-                drop(triangles(ResultFormat::Npy, &damaged));
+                drop(input(Format::Npy, &damaged));
+                drop(triangles(Format::Npy, &damaged));
             }
         }
     }

@@ -3,12 +3,12 @@
 
 use num_rational::BigRational;
 use sweep_cdt_formats::{
-    Column, Coordinate, GraphFile, Input, InputFormat, Remark, Source, read, write_graph,
+    Column, Coordinate, Format, GraphFile, Input, Remark, Source, read, write_graph,
 };
 use sweep_cdt_testing::Random;
 
 fn input(bytes: &[u8]) -> Result<Input, String> {
-    read(InputFormat::Csv, &Source::new("file", bytes), None).map_err(|error| error.to_string())
+    read(Format::Csv, &Source::new("file", bytes), None).map_err(|error| error.to_string())
 }
 
 #[track_caller]
@@ -122,7 +122,7 @@ fn fractions_are_exact() {
         .collect();
     assert_eq!(points, ["1/3", "1/10", "-1/3", "1"]);
     let mut written = Vec::new();
-    write_graph(InputFormat::Txt, &file, &mut written).expect("memory takes it");
+    write_graph(Format::Txt, &file, &mut written).expect("memory takes it");
     assert_eq!(written, b"x y z\n1/3 1/10 0.5\n-1/3 1 NaN\n");
     assert_eq!(input(&written), Ok(Input::Rationals(file)));
 }
@@ -203,7 +203,7 @@ fn heights_are_in_the_column_that_is_asked_for() {
             Some(name) => source.height_property(name),
             None => source,
         };
-        let Ok(Input::Doubles(file)) = read(InputFormat::Csv, &source, None) else {
+        let Ok(Input::Doubles(file)) = read(Format::Csv, &source, None) else {
             panic!("doubles");
         };
         let column = |Column { name, values }: &Column| format!("{name} {}", values[0]);
@@ -236,7 +236,7 @@ fn names_with_units_stand_beside_names_without() {
         "file:1: the columns `elev_m` and `elev_ft` may both be the height: rename one",
     );
     let source = Source::new("file", two).height_property("elev_ft");
-    let Ok(Input::Doubles(file)) = read(InputFormat::Csv, &source, None) else {
+    let Ok(Input::Doubles(file)) = read(Format::Csv, &source, None) else {
         panic!("doubles");
     };
     let names: Vec<&str> = file.columns.iter().map(|column| &column.name[..]).collect();
@@ -324,7 +324,7 @@ fn random_tables_are_read_as_they_are_meant() {
             expected.insert(0, column("z", heights.clone()));
         }
         assert_eq!(read.columns, expected, "{text}");
-        for format in [InputFormat::Csv, InputFormat::Xyz] {
+        for format in [Format::Csv, Format::Xyz] {
             let mut written = Vec::new();
             write_graph(format, &read, &mut written).expect("memory takes it");
             let again = file(&String::from_utf8(written).expect("a text"));

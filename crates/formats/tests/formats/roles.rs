@@ -5,7 +5,7 @@
 
 use std::fmt::Write;
 
-use sweep_cdt_formats::{GraphFile, Input, InputFormat, Source, read};
+use sweep_cdt_formats::{Format, GraphFile, Input, Source, read};
 use sweep_cdt_testing::Random;
 
 /// The side of the lattice.
@@ -114,7 +114,7 @@ fn twice_the_area(file: &GraphFile<f64>) -> String {
     sum.to_string()
 }
 
-fn doubles(format: InputFormat, text: &str) -> GraphFile<f64> {
+fn doubles(format: Format, text: &str) -> GraphFile<f64> {
     match read(format, &Source::new("map", text), None) {
         Ok(Input::Doubles(file)) => file,
         other => panic!("{text}: {other:?}"),
@@ -137,7 +137,6 @@ fn lists(
     format!("{begin}{}{end}", rings.join(","))
 }
 
-#[cfg(feature = "mesh-formats")]
 #[test]
 fn polygons_cover_what_their_rings_say() {
     let (mut empty, mut full) = (0, 0);
@@ -164,25 +163,25 @@ fn polygons_cover_what_their_rings_say() {
         let features: Vec<String> = json.iter().map(feature).collect();
         let texts = [
             (
-                InputFormat::Geojson,
+                Format::Geojson,
                 format!(
                     r#"{{"type": "GeometryCollection", "geometries": [{line}, {{"type": "MultiPolygon", "coordinates": [{}]}}]}}"#,
                     json.join(",")
                 ),
             ),
             (
-                InputFormat::Geojson,
+                Format::Geojson,
                 format!(
                     r#"{{"type": "FeatureCollection", "features": [{}]}}"#,
                     features.join(",")
                 ),
             ),
             (
-                InputFormat::Wkt,
+                Format::Wkt,
                 format!("LINESTRING (0 7, 7 0) MULTIPOLYGON ({})", wkt.join(",")),
             ),
             (
-                InputFormat::Wkt,
+                Format::Wkt,
                 wkt.iter()
                     .map(|polygon| format!("POLYGON {polygon}\n"))
                     .collect(),
@@ -202,7 +201,6 @@ fn polygons_cover_what_their_rings_say() {
 }
 
 /// The polygons of a file that is written and read again are the same.
-#[cfg(feature = "mesh-formats")]
 #[test]
 fn polygons_that_are_written_cover_the_same() {
     for seed in 0..200 {
@@ -213,10 +211,10 @@ fn polygons_that_are_written_cover_the_same() {
             .map(|p| lists(p, ["(", ")"], ["", " ", ""]))
             .collect();
         let file = doubles(
-            InputFormat::Wkt,
+            Format::Wkt,
             &format!("LINESTRING (0 7, 7 0) MULTIPOLYGON ({})", wkt.join(",")),
         );
-        for format in [InputFormat::Wkt, InputFormat::Geojson] {
+        for format in [Format::Wkt, Format::Geojson] {
             let mut text = Vec::new();
             sweep_cdt_formats::write_graph(format, &file, &mut text).expect("memory takes it");
             let again = doubles(format, std::str::from_utf8(&text).expect("text"));
@@ -257,7 +255,7 @@ fn faces_cover_what_they_go_round() {
             writeln!(off, "{} {}", face.len(), numbers(0)).expect("strings grow");
             first += face.len();
         }
-        for (format, text) in [(InputFormat::Obj, obj), (InputFormat::Off, off)] {
+        for (format, text) in [(Format::Obj, obj), (Format::Off, off)] {
             let file = doubles(format, &text);
             assert_eq!(file.faces.len(), faces.len());
             let file = file.with_faces().expect("all corners are vertices");

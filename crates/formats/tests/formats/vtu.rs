@@ -8,8 +8,7 @@ use base64::engine::general_purpose::STANDARD;
 use flate2::Compression;
 use flate2::read::ZlibEncoder;
 use sweep_cdt_formats::{
-    GraphFile, Input, InputFormat, ReadError, ReadErrorKind, ResultFormat, Source, read,
-    read_result, write_graph,
+    Format, GraphFile, Input, ReadError, ReadErrorKind, Source, read, read_result, write_graph,
 };
 
 /// A file of two points and a line: what the elements `VTKFile` and `Points` say, and what stands behind the piece.
@@ -37,7 +36,7 @@ const TEXT: &str = "1 0 0 2 0.5 0";
 
 fn input(bytes: Vec<u8>) -> Result<GraphFile<f64>, String> {
     let name = "file".to_owned();
-    match read(InputFormat::Vtu, &Source::new(name, bytes), None) {
+    match read(Format::Vtu, &Source::new(name, bytes), None) {
         Ok(Input::Doubles(file)) => Ok(file),
         Ok(other) => panic!("{other:?}"),
         Err(error) => Err(error.to_string()),
@@ -167,12 +166,7 @@ fn wrong_cells_are_named() {
     let name = "file".to_owned();
     let bytes = changed(">3<", ">10<");
     let source = Source::new(name, bytes);
-    let result = read_result(
-        ResultFormat::Vtu,
-        &source,
-        None,
-        &GraphFile::<f64>::default(),
-    );
+    let result = read_result(Format::Vtu, &source, None, &GraphFile::<f64>::default());
     let error = result.expect_err("a tetrahedron").to_string();
     assert_eq!(error, "file: cell 0: cells of type 10 are no triangles");
 }
@@ -303,7 +297,7 @@ fn zeros(points: u64, blocks: u64) -> Source {
 
 /// The error; a file that is read is not shown.
 fn refused(source: &Source) -> ReadError {
-    match read(InputFormat::Vtu, source, None) {
+    match read(Format::Vtu, source, None) {
         Err(error) => error,
         Ok(_) => panic!("it is read"),
     }
@@ -327,7 +321,7 @@ fn the_limit_of_what_is_unpacked_is_for_all_arrays_and_can_be_raised() {
     let points: u64 = 1 << 19;
     let all = 32 * points;
     let source = zeros(points, 4);
-    assert!(read(InputFormat::Vtu, &source, None).is_ok(), "16 MiB are");
+    assert!(read(Format::Vtu, &source, None).is_ok(), "16 MiB are");
     let lower = source.clone().unpacked_limit(all - 1);
     let error = refused(&lower);
     assert_eq!(error.kind, ReadErrorKind::UnpackedLimit { limit: all - 1 });
@@ -345,7 +339,7 @@ fn the_limit_of_what_is_unpacked_is_for_all_arrays_and_can_be_raised() {
         ReadErrorKind::UnpackedLimit { limit }
     );
     let raised = source.unpacked_limit(all + 4 * 32);
-    let Ok(Input::Doubles(file)) = read(InputFormat::Vtu, &raised, None) else {
+    let Ok(Input::Doubles(file)) = read(Format::Vtu, &raised, None) else {
         panic!("it has as many bytes as it may have")
     };
     assert_eq!(file.graph.points.len() as u64, points + 4);
@@ -374,7 +368,7 @@ fn section(name: &str, corners: &str, ends: &str) -> String {
 fn triangles(bytes: Vec<u8>) -> Result<Vec<[usize; 3]>, String> {
     let file = input(poly_data("", "")).expect("points");
     let source = Source::new("file", bytes);
-    let result = read_result(ResultFormat::Vtp, &source, None, &file);
+    let result = read_result(Format::Vtp, &source, None, &file);
     result
         .map(|result| result.list)
         .map_err(|error| error.to_string())
@@ -460,7 +454,7 @@ fn poly_data_is_written_by_the_book() {
     let mut file = input(poly_data("", "")).expect("points");
     file.graph.edges = vec![[0, 4]];
     let mut text = Vec::new();
-    write_graph(InputFormat::Vtp, &file, &mut text).expect("memory takes it");
+    write_graph(Format::Vtp, &file, &mut text).expect("memory takes it");
     let text = String::from_utf8(text).expect("a text");
     assert!(text.contains(
         "<PolyData>\n<Piece NumberOfPoints=\"5\" NumberOfVerts=\"0\" NumberOfLines=\"1\" NumberOfStrips=\"0\" \

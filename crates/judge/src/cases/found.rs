@@ -3,7 +3,7 @@
 
 use std::fs;
 
-use sweep_cdt_formats::{self as formats, InputFormat, Source};
+use sweep_cdt_formats::{self as formats, Format, Source};
 use sweep_cdt_testing::Input;
 use sweep_cdt_testing::data::{self, Hard};
 use sweep_cdt_testing::generators::input_with_choices;
@@ -92,10 +92,10 @@ fn licence(source: &str) -> String {
 /// The points and edges of a report, if they are doubles.
 fn report(name: &str) -> Option<Question> {
     let format = match name.rsplit_once('.')?.1 {
-        "json" => InputFormat::Json,
-        "wkt" => InputFormat::Wkt,
-        "geojson" => InputFormat::Geojson,
-        "poly" => InputFormat::Poly,
+        "json" => Format::Json,
+        "wkt" => Format::Wkt,
+        "geojson" => Format::Geojson,
+        "poly" => Format::Poly,
         _ => return None,
     };
     let bytes = fs::read(data::path("tests/data/reports").join(name)).ok()?;

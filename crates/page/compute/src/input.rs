@@ -2,7 +2,7 @@
 
 use std::error::Error;
 
-use sweep_cdt_formats::{Column, GraphFile, Input, InputFormat, Named, Source, read as read_file};
+use sweep_cdt_formats::{Column, Format, GraphFile, Input, Source, read as read_file};
 use sweep_cdt_generate::Kind;
 
 use super::request::Given;
@@ -16,7 +16,7 @@ pub(crate) fn read(given: Given, mut files: Vec<u8>) -> Result<Input, Box<dyn Er
             bytes,
             node,
         } => {
-            let format = named::<InputFormat>(&format)?;
+            let format = named(&format, Format::INPUTS)?;
             let rest = files.split_off(bytes.min(files.len()));
             let source = Source::new(name, files);
             let node =
@@ -36,7 +36,7 @@ pub(crate) fn read(given: Given, mut files: Vec<u8>) -> Result<Input, Box<dyn Er
     }
 }
 
-/// The format of this name.
-pub(crate) fn named<F: Named>(name: &str) -> Result<F, String> {
-    F::named(name).ok_or_else(|| format!("there is no format `{name}`"))
+/// The format of this name, one of these.
+pub(crate) fn named(name: &str, formats: &[Format]) -> Result<Format, String> {
+    Format::named(name, formats).ok_or_else(|| format!("there is no format `{name}`"))
 }

@@ -4,8 +4,8 @@ use std::error::Error;
 
 use sweep_cdt::Error as Refusal;
 use sweep_cdt::crossings::Exact;
-use sweep_cdt_draw::{Output, StepsPage};
-use sweep_cdt_formats::{Coordinate, GraphFile, write_graph};
+use sweep_cdt_draw::{StepsPage, write as write_result, write_interior};
+use sweep_cdt_formats::{Coordinate, Format, GraphFile, write_graph};
 use sweep_cdt_trace::write_trace;
 
 use super::input::named;
@@ -30,7 +30,7 @@ pub(crate) fn write<S: Coordinate + Exact>(
         return Ok(picture.write(out)?);
     }
     if let Wanted::Graph(format) = wanted {
-        return Ok(write_graph(named(&format)?, file, out)?);
+        return Ok(write_graph(named(&format, Format::INPUTS)?, file, out)?);
     }
     let pieces = settings.pieces(file);
     let file = pieces.map_err(|error| refused(file, error))?;
@@ -38,15 +38,15 @@ pub(crate) fn write<S: Coordinate + Exact>(
     match wanted {
         Wanted::Trace(format) => write_steps(name, file, settings, format, out),
         Wanted::Result(format) => {
-            let format: Output = named(&format)?;
+            let format = named(&format, Format::OUTPUTS)?;
             let result = settings.triangulate(&file.graph, None);
             let (result, _) = result.map_err(|error| refused(file, error.into()))?;
             match settings.domain(file, &result) {
-                None => format.write(file, &result, out)?,
+                None => write_result(format, file, &result, out)?,
                 Some(domain) => {
                     let domain = domain.map_err(|error| file.interior_as_numbered(error));
                     let domain = domain.map_err(|error| format!("{name}: {error}"))?;
-                    format.write_interior(file, &domain, out)?;
+                    write_interior(format, file, &domain, out)?;
                 }
             }
             Ok(())

@@ -6,8 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use serde_json::{Value, json};
-use sweep_cdt_draw::Output;
-use sweep_cdt_formats::{InputFormat, Named};
+use sweep_cdt_formats::Format;
 use sweep_cdt_generate::KINDS;
 use tempfile::TempDir;
 
@@ -104,7 +103,7 @@ fn cases_of_file(folder: &Path, name: &str, settings: &Value, flags: &str) -> Ve
         folder: folder.to_owned(),
         arguments,
     };
-    let formats = Output::ALL.iter().map(|output| output.name());
+    let formats = Format::OUTPUTS.iter().map(|output| output.name());
     let results = formats.map(|format| {
         let arguments = format!("triangulate {name} {flags} -o - --output-format {format}");
         case(json!({ "result": format }), arguments)
@@ -216,7 +215,7 @@ fn settings_change_the_steps_as_those_of_the_command() {
 
 #[test]
 fn generated_data() {
-    let inputs = InputFormat::ALL.iter().map(|input| input.name());
+    let inputs = Format::INPUTS.iter().map(|input| input.name());
     let kinds = KINDS.iter().map(|kind| (kind.name, "poly"));
     let formats = inputs.map(|format| ("segments", format));
     let case = |(kind, format): (&str, &str)| {

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::{fmt, io};
 
-use sweep_cdt_formats::ReadError;
+use sweep_cdt_formats::{ReadError, reason};
 
 /// Why points and edges do not come in the order of the sweep.
 ///
@@ -122,11 +122,4 @@ fn numbers(first: u64, points: u64) -> String {
             first + (points - 1)
         ),
     }
-}
-
-/// The system's message without its error number.
-pub(crate) fn reason(error: &io::Error) -> String {
-    let text = error.to_string();
-    let text = text.split(" (os error").next().unwrap_or(&text);
-    text.to_lowercase()
 }

@@ -5,14 +5,14 @@
 //! [`SweepOrder`], one vertex after the other.
 //!
 //! ```
-//! use sweep_cdt_stream::external::{InputFormat, Sorting, open};
+//! use sweep_cdt_stream::external::{Format, Sorting, open};
 //!
 //! # let folder = tempfile::tempdir()?;
 //! # let path = folder.path().join("points.xy");
 //! let points = [[0.0_f64, 2.0], [1.0, 1.0], [0.0, 1.0]];
 //! std::fs::write(&path, points.as_flattened().iter().flat_map(|c| c.to_le_bytes()).collect::<Vec<_>>())?;
 //!
-//! let mut input = open(&path, InputFormat::Raw, None)?;
+//! let mut input = open(&path, Format::F64, None)?;
 //! let mut order = Sorting::new(256 << 20, folder.path()).sort(&mut *input)?;
 //! let mut numbers = Vec::new();
 //! while let Some(vertex) = order.next_vertex()? {
@@ -58,7 +58,8 @@ mod summary;
 mod temporary;
 
 pub use error::Error;
-pub use input::{Input, InputFormat, open};
+pub use input::{FORMATS, Input, open};
 pub use order::{SweepOrder, Vertex};
 pub use prepare::Sorting;
 pub use summary::{Statistics, Summary};
+pub use sweep_cdt_formats::Format;

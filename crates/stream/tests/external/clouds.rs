@@ -5,7 +5,7 @@ use std::io::Cursor;
 use std::path::Path;
 
 use las::{Builder, Point, Transform, Vlr, Writer};
-use sweep_cdt_stream::external::{InputFormat, Sorting, open};
+use sweep_cdt_stream::external::{Format, Sorting, open};
 
 use crate::{Random, expected, take};
 
@@ -86,9 +86,9 @@ pub(crate) fn small() -> [(&'static str, Vec<u8>); 4] {
 #[test]
 fn clouds_are_read() {
     let folder = tempfile::tempdir().expect("a folder");
-    for (name, format) in [("a.las", InputFormat::Las), ("a.laz", InputFormat::Laz)] {
+    for (name, format) in [("a.las", Format::Las), ("a.laz", Format::Laz)] {
         let path = folder.path().join(name);
-        let points = write(&path, format == InputFormat::Laz);
+        let points = write(&path, format == Format::Laz);
         let mut input = open(&path, format, None).expect("a file");
         let order = Sorting::new(3_000_000, folder.path()).sort(&mut *input);
         let vertices = take(order.expect("no fault")).expect("no fault");
@@ -101,7 +101,7 @@ fn layers_are_read_and_their_sizes_checked() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("a.laz");
     let points = write_version(&path, true, (1, 4));
-    let mut input = open(&path, InputFormat::Laz, None).expect("a file");
+    let mut input = open(&path, Format::Laz, None).expect("a file");
     let order = Sorting::new(3_000_000, folder.path()).sort(&mut *input);
     let vertices = take(order.expect("no fault")).expect("no fault");
     assert!(vertices == expected(&points, &[]).0);
@@ -114,7 +114,7 @@ fn layers_are_read_and_their_sizes_checked() {
         let mut wrong = bytes.clone();
         wrong[sizes + 4 * layer..][..4].copy_from_slice(&u32::MAX.to_le_bytes());
         fs::write(&path, &wrong).expect("a file");
-        let error = open(&path, InputFormat::Laz, None).err();
+        let error = open(&path, Format::Laz, None).err();
         let error = error.expect("there is no room").to_string();
         assert!(error.contains("layers of chunk 0"), "{error}");
     }
@@ -123,9 +123,9 @@ fn layers_are_read_and_their_sizes_checked() {
 #[test]
 fn clouds_that_are_cut_off_are_refused() {
     let folder = tempfile::tempdir().expect("a folder");
-    for (name, format) in [("a.las", InputFormat::Las), ("a.laz", InputFormat::Laz)] {
+    for (name, format) in [("a.las", Format::Las), ("a.laz", Format::Laz)] {
         let path = folder.path().join(name);
-        write(&path, format == InputFormat::Laz);
+        write(&path, format == Format::Laz);
         let bytes = fs::read(&path).expect("a file");
         for length in [0, 100, bytes.len() / 2, bytes.len() - 1] {
             fs::write(&path, &bytes[..length]).expect("a file");
@@ -147,7 +147,7 @@ fn chunks_are_believed_as_far_as_the_file_is_long() {
         ("chunks_68gb.laz", "table of chunks"),
         ("layers_2gb.laz", "layers of chunk 0"),
     ] {
-        let error = open(&folder.join(name), InputFormat::Laz, None).err();
+        let error = open(&folder.join(name), Format::Laz, None).err();
         let error = error.expect("there is no room").to_string();
         assert!(error.contains(what), "{error}");
     }
@@ -167,7 +167,7 @@ fn counts_of_chunks_are_checked() {
         let wrong = u32::try_from(wrong).unwrap_or(u32::MAX);
         bytes[count..count + 4].copy_from_slice(&wrong.to_le_bytes());
         fs::write(&path, &bytes).expect("a file");
-        let error = open(&path, InputFormat::Laz, None).err();
+        let error = open(&path, Format::Laz, None).err();
         let error = error.expect("there is no room").to_string();
         assert!(error.contains("table of chunks"), "{error}");
     }

@@ -5,7 +5,7 @@ use std::io::Write;
 use std::path::Path;
 
 use sweep_cdt_formats::ReadError;
-use sweep_cdt_stream::external::{Error, Input, InputFormat, Sorting, open};
+use sweep_cdt_stream::external::{Error, Format, Input, Sorting, open};
 
 use crate::{Made, Random, take};
 
@@ -184,7 +184,7 @@ fn a_file_that_changes_while_it_is_read_is_refused() {
     };
     for change in [&longer as &dyn Fn(), &longer_and_as_old, &shorter, &newer] {
         fs::write(&path, &bytes).expect("a file");
-        let input = open(&path, InputFormat::Raw, None).expect("a file");
+        let input = open(&path, Format::F64, None).expect("a file");
         let mut input = Changing {
             input,
             change,
@@ -206,7 +206,7 @@ fn files_that_are_cut_off_or_none_are_refused() {
     let path = folder.path().join("a.f64");
     let name = path.display();
     let error = |edges: Option<&Path>| {
-        let opened = open(&path, InputFormat::Raw, edges);
+        let opened = open(&path, Format::F64, edges);
         opened.err().expect("it is refused").to_string()
     };
     assert!(
@@ -227,7 +227,7 @@ fn files_that_are_cut_off_or_none_are_refused() {
         edges.display()
     );
     assert_eq!(error(Some(&edges)), words);
-    let folder_itself = open(folder.path(), InputFormat::Raw, None);
+    let folder_itself = open(folder.path(), Format::F64, None);
     let words = folder_itself.err().expect("it is a folder").to_string();
     assert!(
         words.ends_with("is no file: what is read in pieces must be one, not a pipe or a folder"),

@@ -3,17 +3,17 @@
 use std::fs;
 use std::path::Path;
 
-use sweep_cdt_formats::{Input as Read, InputFormat as Whole, Source, read};
-use sweep_cdt_stream::external::{InputFormat, Sorting, open};
+use sweep_cdt_formats::{Input as Read, Source, read};
+use sweep_cdt_stream::external::{Format, Sorting, open};
 
 use crate::{Random, expected, take};
 
 /// Sorts a file, and compares it with what a reader of the whole file finds.
-pub(crate) fn check_file(name: &str, bytes: &[u8], format: InputFormat, whole: Whole) {
+pub(crate) fn check_file(name: &str, bytes: &[u8], format: Format) {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join(name);
     fs::write(&path, bytes).expect("a file");
-    let file = match read(whole, &Source::new(name, bytes), None) {
+    let file = match read(format, &Source::new(name, bytes), None) {
         Ok(Read::Doubles(file)) => file,
         other => panic!("{name} is read in memory: {other:?}"),
     };
@@ -27,7 +27,7 @@ pub(crate) fn check_file(name: &str, bytes: &[u8], format: InputFormat, whole: W
 }
 
 /// Sorts a file in little memory and in much.
-fn sorts_to(path: &Path, format: InputFormat, points: &[[f64; 2]], edges: &[[u64; 2]]) {
+fn sorts_to(path: &Path, format: Format, points: &[[f64; 2]], edges: &[[u64; 2]]) {
     let folder = tempfile::tempdir().expect("a folder");
     for memory in [200_000, 1 << 30] {
         let mut input = open(path, format, None).expect("a file");
@@ -60,24 +60,24 @@ fn raw_doubles_are_read_with_and_without_edges() {
         .iter()
         .map(|value| value.to_le_bytes());
     fs::write(&path, bytes(doubles.collect())).expect("a file");
-    sorts_to(&path, InputFormat::Raw, &points, &[]);
+    sorts_to(&path, Format::F64, &points, &[]);
 
     let pairs = folder.path().join("edges.u64");
     let numbers = edges.as_flattened().iter().map(|end| end.to_le_bytes());
     fs::write(&pairs, bytes(numbers.collect())).expect("a file");
-    let mut input = open(&path, InputFormat::Raw, Some(&pairs)).expect("two files");
+    let mut input = open(&path, Format::F64, Some(&pairs)).expect("two files");
     let order = Sorting::new(200_000, folder.path()).sort(&mut *input);
     let vertices = take(order.expect("no fault")).expect("no fault");
     assert!(vertices == expected(&points, &edges).0);
 }
 
 /// Compares the error of a file with that of a reader in memory.
-fn check_error(name: &str, bytes: &[u8], format: InputFormat, whole: Whole) {
+fn check_error(name: &str, bytes: &[u8], format: Format) {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join(name);
     fs::write(&path, bytes).expect("a file");
     let source = Source::new(path.display().to_string(), bytes);
-    let expected = read(whole, &source, None).expect_err("it is wrong");
+    let expected = read(format, &source, None).expect_err("it is wrong");
     let opened = open(&path, format, None).map_err(Into::into);
     let error = opened.and_then(|mut input| Sorting::new(1 << 20, folder.path()).sort(&mut *input));
     assert_eq!(
@@ -110,18 +110,18 @@ fn points_as_text_are_read_as_in_memory() {
             format!("# {names}{end}# of others{end}{names}{end}"),
         ] {
             let text = format!("{begin}{plain}");
-            check_file("names.csv", text.as_bytes(), InputFormat::Csv, Whole::Csv);
+            check_file("names.csv", text.as_bytes(), Format::Csv);
         }
     }
     // Without names x and y are the first two columns; the last row does not end.
     let text = rows(" ", "\n").concat();
     let text = format!("# a comment\n\n{}", text.trim_end());
-    check_file("plain.xyz", text.as_bytes(), InputFormat::Xyz, Whole::Xyz);
+    check_file("plain.xyz", text.as_bytes(), Format::Xyz);
     // The names are in a comment.
     let text = format!("#id y x z note\n{}", text.replace("tree ", "tree"));
-    check_file("comment.txt", text.as_bytes(), InputFormat::Txt, Whole::Txt);
-    check_file("one.csv", b"1,2", InputFormat::Csv, Whole::Csv);
-    check_file("names_alone.csv", b"x,y\n", InputFormat::Csv, Whole::Csv);
+    check_file("comment.txt", text.as_bytes(), Format::Txt);
+    check_file("one.csv", b"1,2", Format::Csv);
+    check_file("names_alone.csv", b"x,y\n", Format::Csv);
 }
 
 /// The ends of pieces fall within quotes somewhere.
@@ -138,15 +138,10 @@ fn lines_end_within_quotes() {
         .map(quoted)
         .collect();
     let text = format!("\"the\nid\";y;x;z;note;more\n{rows}");
-    check_file("quotes.csv", text.as_bytes(), InputFormat::Csv, Whole::Csv);
+    check_file("quotes.csv", text.as_bytes(), Format::Csv);
     let open_quote = format!("{text}1;2;3;4;\"5\n{rows}");
     let open_quote = open_quote.trim_end_matches('"').to_owned() + ";\"";
-    check_error(
-        "open.csv",
-        open_quote.as_bytes(),
-        InputFormat::Csv,
-        Whole::Csv,
-    );
+    check_error("open.csv", open_quote.as_bytes(), Format::Csv);
 }
 
 #[test]
@@ -161,15 +156,15 @@ fn errors_of_points_as_text_have_their_lines() {
         let mut rows = rows(";", "\n");
         rows[at] = row.to_owned();
         let text = format!("# comment\n{names}{}", rows.concat());
-        check_error("wrong.csv", text.as_bytes(), InputFormat::Csv, Whole::Csv);
+        check_error("wrong.csv", text.as_bytes(), Format::Csv);
     }
     // Both signs of an end are one, also in the first row.
     let mut rows = rows(";", "\r\n");
     rows[30_000] = "7;8;x;9;10\r\n".to_owned();
     let text = format!("id;y;x;z;note\r\n{}", rows.concat());
-    check_error("ends.csv", text.as_bytes(), InputFormat::Csv, Whole::Csv);
+    check_error("ends.csv", text.as_bytes(), Format::Csv);
     for text in ["", "\n\n", "# x y\n", "a,b\n1,2\n", "5\n", "x,x,y\n1,2,3\n"] {
-        check_error("begin.csv", text.as_bytes(), InputFormat::Csv, Whole::Csv);
+        check_error("begin.csv", text.as_bytes(), Format::Csv);
     }
 }
 
@@ -179,12 +174,12 @@ fn fractions_are_refused() {
     let path = folder.path().join("a");
     for (format, text, words) in [
         (
-            InputFormat::Xyz,
+            Format::Xyz,
             "1 2\n1/3 4\n",
             "there are fractions, which are read only where all points are in memory",
         ),
         (
-            InputFormat::Node,
+            Format::Node,
             "1\n0 1/3 4\n",
             "`1/3` is a fraction, which is read only where all points are in memory",
         ),
@@ -215,20 +210,15 @@ fn triangles_files_are_read_as_in_memory() {
     let (points, edges) = random_graph();
     for first in [0, 1] {
         let [vertices, rest] = poly(&points, &edges, first);
-        check_file(
-            "a.node",
-            vertices.as_bytes(),
-            InputFormat::Node,
-            Whole::Node,
-        );
+        check_file("a.node", vertices.as_bytes(), Format::Node);
         let text = format!("{vertices}{rest}");
-        check_file("a.poly", text.as_bytes(), InputFormat::Poly, Whole::Poly);
+        check_file("a.poly", text.as_bytes(), Format::Poly);
         // The vertices are in the `.node`.
         let folder = tempfile::tempdir().expect("a folder");
         fs::write(folder.path().join("b.node"), vertices).expect("a file");
         let path = folder.path().join("b.poly");
         fs::write(&path, format!("0 2 0 0\n{rest}")).expect("a file");
-        sorts_to(&path, InputFormat::Poly, &points, &edges);
+        sorts_to(&path, Format::Poly, &points, &edges);
     }
 }
 
@@ -248,12 +238,12 @@ fn errors_of_triangles_files_are_those_in_memory() {
         "2\n0 1 2\n1 3 1e999\n",
         "1\n0 1 2\n1 3 4\n",
     ] {
-        check_error("a.node", text.as_bytes(), InputFormat::Node, Whole::Node);
+        check_error("a.node", text.as_bytes(), Format::Node);
     }
     // The two signs of an end stand in two pieces of the file.
     let comment = format!("#{}\r\n", "x".repeat((1 << 18) - 2));
     let text = format!("{comment}2\r\n0 1 2\r\n1 3 z\r\n");
-    check_error("a.node", text.as_bytes(), InputFormat::Node, Whole::Node);
+    check_error("a.node", text.as_bytes(), Format::Node);
     let vertices = "2\n1 0 0\n2 1 1\n";
     for rest in [
         "",
@@ -264,7 +254,7 @@ fn errors_of_triangles_files_are_those_in_memory() {
         "2\n1 1 2\n3 1 2\n",
     ] {
         let text = format!("{vertices}{rest}");
-        check_error("a.poly", text.as_bytes(), InputFormat::Poly, Whole::Poly);
+        check_error("a.poly", text.as_bytes(), Format::Poly);
     }
 }
 
@@ -288,7 +278,7 @@ fn numbers_in_errors_are_those_of_the_file() {
         ),
     ] {
         fs::write(&path, text).expect("a file");
-        let mut input = open(&path, InputFormat::Poly, None).expect("it begins well");
+        let mut input = open(&path, Format::Poly, None).expect("it begins well");
         let error = Sorting::new(1 << 20, folder.path()).sort(&mut *input);
         let error = error.expect_err("a fault").to_string();
         assert!(error.ends_with(words), "{error}");
@@ -300,7 +290,7 @@ fn a_format_with_edges_takes_no_others() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("a.poly");
     fs::write(&path, "1\n0 0 0\n0\n").expect("a file");
-    let error = open(&path, InputFormat::Poly, Some(&path))
+    let error = open(&path, Format::Poly, Some(&path))
         .err()
         .expect("it is refused");
     let words = format!(

@@ -13,8 +13,8 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use rustix::process::{Resource, Rlimit, getrlimit, setrlimit};
 use sweep_cdt::Pslg;
-use sweep_cdt_formats::{GraphFile, Named, ResultFormat, Source, read, read_result};
-use sweep_cdt_stream::external::{InputFormat, open};
+use sweep_cdt_formats::{Format, GraphFile, Source, read, read_result};
+use sweep_cdt_stream::external::{FORMATS, open};
 
 /// What reading a file may take, of which none has more than three kilobytes.
 const ROOM: u64 = 64 << 20;
@@ -50,10 +50,6 @@ fn seeds() -> Vec<Seed> {
         (
             "json",
             "{\"points\": [[0, 0], [1, 0], [0, 1]], \"edges\": [[0, 1]], \"triangles\": [[0, 1, 2]]}",
-        ),
-        (
-            "dxf",
-            "0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n90\n3\n70\n1\n10\n0\n20\n0\n10\n1\n20\n0\n10\n0\n20\n1\n0\nENDSEC\n0\nEOF\n",
         ),
     ];
     let texts = texts.into_iter().map(|(format, text)| Seed {
@@ -145,13 +141,13 @@ fn altered(bytes: &[u8], mut take: impl FnMut(&[u8])) {
 /// Reads a file in all ways that its format has. What comes of it is of no interest.
 fn read_all(seed: &Seed, bytes: &[u8], input: &GraphFile<f64>, folder: &Path) {
     let source = Source::new("file", bytes);
-    if let Some(format) = sweep_cdt_formats::InputFormat::named(&seed.format) {
+    if let Some(format) = Format::named(&seed.format, Format::INPUTS) {
         drop(read(format, &source, None));
     }
-    if let Some(format) = ResultFormat::named(&seed.format) {
+    if let Some(format) = Format::named(&seed.format, Format::RESULTS) {
         drop(read_result(format, &source, None, input));
     }
-    let Some(format) = InputFormat::named(&seed.format) else {
+    let Some(format) = Format::named(&seed.format, FORMATS) else {
         return;
     };
     let path = folder.join("file");

@@ -3,8 +3,8 @@
 
 use std::fs;
 
-use sweep_cdt_formats::{InputFormat as Whole, Source, read};
-use sweep_cdt_stream::external::{InputFormat, Sorting, open};
+use sweep_cdt_formats::{Source, read};
+use sweep_cdt_stream::external::{Format, Sorting, open};
 
 use crate::formats::{check_file, random_graph};
 
@@ -131,12 +131,7 @@ fn a_ply_is_read_in_every_encoding_and_order_of_its_elements() {
                 has_lists,
             };
             let name = format!("{encoding} {real} {edges_first} {has_lists}.ply");
-            check_file(
-                &name,
-                &ply.bytes(&points, &edges),
-                InputFormat::Ply,
-                Whole::Ply,
-            );
+            check_file(&name, &ply.bytes(&points, &edges), Format::Ply);
         }
     }
 }
@@ -165,8 +160,8 @@ fn a_ply_that_is_cut_off_is_refused_as_in_memory() {
             for length in 0..whole {
                 fs::write(&path, &bytes[..length]).expect("a file");
                 let source = Source::new(path.display().to_string(), &bytes[..length]);
-                let expected = read(Whole::Ply, &source, None).expect_err("it is cut off");
-                let opened = open(&path, InputFormat::Ply, None);
+                let expected = read(Format::Ply, &source, None).expect_err("it is cut off");
+                let opened = open(&path, Format::Ply, None);
                 let error = opened
                     .map_err(Into::into)
                     .and_then(|mut input| Sorting::new(1 << 20, folder.path()).sort(&mut *input));
@@ -191,7 +186,7 @@ fn a_binary_ply_that_is_cut_off_is_refused_at_once() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("a.ply");
     fs::write(&path, &bytes[..bytes.len() - 900]).expect("a file");
-    let mut input = open(&path, InputFormat::Ply, None).expect("its header is whole");
+    let mut input = open(&path, Format::Ply, None).expect("its header is whole");
     let mut read = Vec::new();
     let error = input.next_points(&mut read).expect_err("it is cut off");
     assert!(

@@ -4,8 +4,8 @@ use num_rational::BigRational;
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::{Pslg, Triangulation, triangulate};
 use sweep_cdt_formats::{
-    Column, Coordinate, GraphFile, Input, InputFormat, Named, OutputFormat, ResultFormat, Source,
-    read, read_result, write_graph, write_node,
+    Column, Coordinate, Format, GraphFile, Input, Source, read, read_result, write_graph,
+    write_node,
 };
 
 use sweep_cdt_testing::oracle::canonical;
@@ -16,36 +16,34 @@ const POINTS: usize = 64;
 const CHARACTERS: usize = 2000;
 
 /// The formats of inputs that came later.
-pub(super) const INPUTS: [InputFormat; 13] = [
-    InputFormat::Obj,
-    InputFormat::Off,
-    InputFormat::Ply,
-    InputFormat::Vtk,
-    InputFormat::Vtu,
-    InputFormat::Msh,
-    InputFormat::Geojson,
-    InputFormat::Wkt,
-    InputFormat::Csv,
-    InputFormat::Vtp,
-    InputFormat::Npy,
-    InputFormat::Npz,
-    InputFormat::Dxf,
+pub(super) const INPUTS: [Format; 12] = [
+    Format::Obj,
+    Format::Off,
+    Format::Ply,
+    Format::Vtk,
+    Format::Vtu,
+    Format::Msh,
+    Format::Geojson,
+    Format::Wkt,
+    Format::Csv,
+    Format::Vtp,
+    Format::Npy,
+    Format::Npz,
 ];
 
 /// The formats of results that came later.
-pub(super) const RESULTS: [ResultFormat; 12] = [
-    ResultFormat::Off,
-    ResultFormat::Ply,
-    ResultFormat::Vtk,
-    ResultFormat::Vtu,
-    ResultFormat::Msh,
-    ResultFormat::Stl,
-    ResultFormat::Geojson,
-    ResultFormat::Wkt,
-    ResultFormat::Vtp,
-    ResultFormat::Npy,
-    ResultFormat::Npz,
-    ResultFormat::Dxf,
+pub(super) const RESULTS: [Format; 11] = [
+    Format::Off,
+    Format::Ply,
+    Format::Vtk,
+    Format::Vtu,
+    Format::Msh,
+    Format::Stl,
+    Format::Geojson,
+    Format::Wkt,
+    Format::Vtp,
+    Format::Npy,
+    Format::Npz,
 ];
 
 /// So many coordinates are read as numbers of each kind.
@@ -116,7 +114,7 @@ pub(super) fn write<S: Exact>(file: &GraphFile<S>, share: usize) {
     write_node(file, &mut node).expect("memory takes all that is written");
     let mut vertices = file.clone();
     vertices.graph.edges.clear();
-    assert_reads(InputFormat::Node, &node, None, &vertices);
+    assert_reads(Format::Node, &node, None, &vertices);
     let length = |x: &S| x.text().len();
     let is_short = graph
         .points
@@ -133,7 +131,7 @@ pub(super) fn write<S: Exact>(file: &GraphFile<S>, share: usize) {
 
 /// Panics unless the bytes read as the file. What has no vertices, or edges, has no first one.
 pub(super) fn assert_reads<S: Exact>(
-    format: InputFormat,
+    format: Format,
     bytes: &[u8],
     node: Option<&[u8]>,
     file: &GraphFile<S>,
@@ -153,24 +151,19 @@ pub(super) fn assert_reads<S: Exact>(
     // A `.poly` of ours has markers of its own.
     let has_edge_markers = matches!(
         format,
-        InputFormat::Json
-            | InputFormat::Ply
-            | InputFormat::Vtk
-            | InputFormat::Vtu
-            | InputFormat::Vtp
-            | InputFormat::Msh
+        Format::Json | Format::Ply | Format::Vtk | Format::Vtu | Format::Vtp | Format::Msh
     );
     if has_edge_markers {
         assert_eq!(again.edge_markers, file.edge_markers, "{format:?}");
     }
-    if has_edge_markers || matches!(format, InputFormat::Node | InputFormat::Poly) {
+    if has_edge_markers || matches!(format, Format::Node | Format::Poly) {
         let marked = |file: &GraphFile<S>| {
             let markers = file.vertex_markers().unwrap_or_default();
             markers.iter().any(|&marker| marker != 0).then_some(markers)
         };
         assert_eq!(marked(&again), marked(file), "{format:?}");
     }
-    if format != InputFormat::Node {
+    if format != Format::Node {
         assert_eq!(heights(&again), heights(file), "{format:?}");
     } else if !file.graph.points.is_empty() {
         // The first column is read as heights, whatever it was. Without vertices there are no lines for columns.
@@ -201,7 +194,7 @@ pub(super) fn assert_reads<S: Exact>(
         ]
         .map(|(count, first)| if count == 0 { 0 } else { first })
     };
-    if format != InputFormat::Json {
+    if format != Format::Json {
         assert_eq!(counts(&again), counts(file), "{format:?}");
     }
 }
@@ -230,28 +223,27 @@ pub(super) fn files<S: Coordinate>(
     file: &GraphFile<S>,
     result: &Triangulation,
     node: &[u8],
-) -> [(ResultFormat, Vec<u8>); 3] {
+) -> [(Format, Vec<u8>); 3] {
     let text = |format| {
         let mut text = Vec::new();
         sweep_cdt_formats::write(format, file, result, &mut text)
             .expect("memory takes all that is written");
         text
     };
-    let ele = [&text(OutputFormat::Ele), node].join(&0);
+    let ele = [&text(Format::Ele), node].join(&0);
     [
-        (ResultFormat::Ele, ele),
-        (ResultFormat::Json, text(OutputFormat::Json)),
-        (ResultFormat::Obj, text(OutputFormat::Obj)),
+        (Format::Ele, ele),
+        (Format::Json, text(Format::Json)),
+        (Format::Obj, text(Format::Obj)),
     ]
 }
 
 /// A result in one of the formats that came later.
 pub(super) fn result_text<S: Coordinate>(
-    format: ResultFormat,
+    format: Format,
     file: &GraphFile<S>,
     result: &Triangulation,
 ) -> Vec<u8> {
-    let format = OutputFormat::named(format.name()).expect("the same name");
     let mut text = Vec::new();
     sweep_cdt_formats::write(format, file, result, &mut text)
         .expect("memory takes all that is written");
@@ -259,7 +251,7 @@ pub(super) fn result_text<S: Coordinate>(
 }
 
 /// A graph in one of the formats that came later.
-pub(super) fn graph_text<S: Coordinate>(format: InputFormat, file: &GraphFile<S>) -> Vec<u8> {
+pub(super) fn graph_text<S: Coordinate>(format: Format, file: &GraphFile<S>) -> Vec<u8> {
     let mut text = Vec::new();
     write_graph(format, file, &mut text).expect("memory takes all that is written");
     text
@@ -267,7 +259,7 @@ pub(super) fn graph_text<S: Coordinate>(format: InputFormat, file: &GraphFile<S>
 
 /// The triangles of a result that must be readable.
 fn triangles<S: Exact>(
-    format: ResultFormat,
+    format: Format,
     bytes: &[u8],
     node: Option<&Source>,
     input: &GraphFile<S>,
@@ -280,26 +272,23 @@ fn triangles<S: Exact>(
 
 fn write_result<S: Exact>(file: &GraphFile<S>, result: &Triangulation, node: &[u8], share: usize) {
     let [(_, ele), (_, json), (_, obj)] = &files(file, result, node);
-    assert_reads(InputFormat::Json, json, None, file);
+    assert_reads(Format::Json, json, None, file);
     let reads = |format, bytes: &[u8], node: Option<&Source>| {
         let list = triangles(format, bytes, node, file);
         assert_eq!(list, result.canonical_triangles(), "{format:?}");
     };
     let ele = &ele[..ele.len() - node.len() - 1];
-    reads(ResultFormat::Ele, ele, None);
-    reads(ResultFormat::Ele, ele, Some(&source(node)));
-    reads(ResultFormat::Json, json, None);
+    reads(Format::Ele, ele, None);
+    reads(Format::Ele, ele, Some(&source(node)));
+    reads(Format::Json, json, None);
     // Fractions are rounded in the others.
     if S::APPROX_IS_EXACT {
-        reads(ResultFormat::Obj, obj, None);
+        reads(Format::Obj, obj, None);
         for format in RESULTS.into_iter().skip(share % SHARE).step_by(SHARE) {
             reads(format, &result_text(format, file, result), None);
         }
         for format in INPUTS.into_iter().skip(share % SHARE).step_by(SHARE) {
-            let has_vertices = !matches!(
-                format,
-                InputFormat::Geojson | InputFormat::Wkt | InputFormat::Dxf
-            );
+            let has_vertices = !matches!(format, Format::Geojson | Format::Wkt);
             if has_vertices || result.duplicates().len() == 0 {
                 assert_reads(
                     format,
@@ -310,7 +299,7 @@ fn write_result<S: Exact>(file: &GraphFile<S>, result: &Triangulation, node: &[u
             }
         }
     }
-    let format = [InputFormat::Csv, InputFormat::Txt][share / SHARE % 2];
+    let format = [Format::Csv, Format::Txt][share / SHARE % 2];
     let counted = counted(format, file);
     assert_reads(format, &graph_text(format, file), None, &counted);
     if (share / (2 * SHARE)).is_multiple_of(2) {
@@ -318,29 +307,25 @@ fn write_result<S: Exact>(file: &GraphFile<S>, result: &Triangulation, node: &[u
         return;
     }
     let mut picture = Vec::new();
-    sweep_cdt_draw::Output::Svg
-        .write(file, result, &mut picture)
+    sweep_cdt_draw::write(Format::Svg, file, result, &mut picture)
         .expect("memory takes all that is written");
     assert_picture(picture);
 }
 
 /// A file as a format of meshes or of points counts it, without edges where that has none.
-fn counted<S: Exact>(format: InputFormat, file: &GraphFile<S>) -> GraphFile<S> {
+fn counted<S: Exact>(format: Format, file: &GraphFile<S>) -> GraphFile<S> {
     let mut counted = file.clone();
     counted.numbering.vertex = first_of(format);
     counted.numbering.edge = first_of(format);
-    if matches!(
-        format,
-        InputFormat::Csv | InputFormat::Txt | InputFormat::Npy
-    ) {
+    if matches!(format, Format::Csv | Format::Txt | Format::Npy) {
         counted.graph.edges.clear();
     }
     counted
 }
 
 /// Where a format of meshes begins to count.
-fn first_of(format: InputFormat) -> usize {
-    usize::from(matches!(format, InputFormat::Obj | InputFormat::Msh))
+fn first_of(format: Format) -> usize {
+    usize::from(matches!(format, Format::Obj | Format::Msh))
 }
 
 /// Panics unless a result whose vertices stand in another order is read as the same.
@@ -360,9 +345,9 @@ fn assert_matches<S: Exact>(file: &GraphFile<S>, result: &Triangulation) {
         let list = canonical(result, &triangles(format, bytes, node, file));
         assert_eq!(list, result.canonical_triangles(), "{format:?}, reversed");
     };
-    reads(ResultFormat::Ele, ele, Some(&source(&node)));
+    reads(Format::Ele, ele, Some(&source(&node)));
     if S::APPROX_IS_EXACT {
-        reads(ResultFormat::Obj, obj, None);
+        reads(Format::Obj, obj, None);
     }
 }
 

@@ -4,27 +4,27 @@ use std::fmt::Write;
 use std::ops::Range;
 
 use sweep_cdt::triangulate;
-use sweep_cdt_formats::{GraphFile, InputFormat, Named, ResultFormat, write_node};
+use sweep_cdt_formats::{Format, GraphFile, write_node};
 
 use super::again::{self, INPUTS, RESULTS};
 
 /// One of the readers.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Reader {
-    Input(InputFormat),
-    Result(ResultFormat),
+    Input(Format),
+    Result(Format),
     Trace,
     Numbers,
 }
 
 /// All of them.
 pub(super) const READERS: [Reader; 8] = [
-    Reader::Input(InputFormat::Node),
-    Reader::Input(InputFormat::Poly),
-    Reader::Input(InputFormat::Json),
-    Reader::Result(ResultFormat::Ele),
-    Reader::Result(ResultFormat::Json),
-    Reader::Result(ResultFormat::Obj),
+    Reader::Input(Format::Node),
+    Reader::Input(Format::Poly),
+    Reader::Input(Format::Json),
+    Reader::Result(Format::Ele),
+    Reader::Result(Format::Json),
+    Reader::Result(Format::Obj),
     Reader::Trace,
     Reader::Numbers,
 ];
@@ -46,8 +46,7 @@ impl Reader {
     /// The extension by which the command knows such a file.
     pub(super) fn extension(self) -> &'static str {
         match self {
-            Reader::Input(format) => format.name(),
-            Reader::Result(format) => format.name(),
+            Reader::Input(format) | Reader::Result(format) => format.name(),
             Reader::Trace | Reader::Numbers => "txt",
         }
     }
@@ -87,9 +86,9 @@ pub(super) fn written<S: again::Exact>(
     let whole = [node.as_slice(), b"# edges\n", edges.as_bytes()].concat();
     let split = [b"0 2 0 0\n", edges.as_bytes()].concat();
     if !file.graph.points.is_empty() {
-        again::assert_reads(InputFormat::Poly, &whole, None, file);
+        again::assert_reads(Format::Poly, &whole, None, file);
     }
-    again::assert_reads(InputFormat::Poly, &split, Some(&node), file);
+    again::assert_reads(Format::Poly, &split, Some(&node), file);
     let Some(result) = triangulate(&file.graph.points, &file.graph.edges).ok() else {
         return early(which % EARLY, whole, &split, node);
     };
@@ -100,7 +99,7 @@ pub(super) fn written<S: again::Exact>(
         which if which < later => {
             let results = again::files(file, &result, &node);
             match which - EARLY {
-                0 => (Reader::Input(InputFormat::Json), results[1].1.clone()),
+                0 => (Reader::Input(Format::Json), results[1].1.clone()),
                 which => {
                     let (format, bytes) = results[which - 1].clone();
                     (Reader::Result(format), bytes)
@@ -126,9 +125,9 @@ const EARLY: usize = 3;
 /// One of the files of points and edges alone.
 fn early(which: usize, whole: Vec<u8>, split: &[u8], node: Vec<u8>) -> (Reader, Vec<u8>) {
     match which {
-        0 => (Reader::Input(InputFormat::Poly), whole),
-        1 => (Reader::Input(InputFormat::Poly), [split, &node].join(&0)),
-        _ => (Reader::Input(InputFormat::Node), node),
+        0 => (Reader::Input(Format::Poly), whole),
+        1 => (Reader::Input(Format::Poly), [split, &node].join(&0)),
+        _ => (Reader::Input(Format::Node), node),
     }
 }
 

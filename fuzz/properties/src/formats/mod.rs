@@ -18,7 +18,7 @@ use sweep_cdt::verify::Verifier;
 use sweep_cdt::{Heuristics, Pslg};
 use sweep_cdt_draw::ViolationsPicture;
 use sweep_cdt_formats::{
-    Column, Coordinate, GraphFile, Input, Numbering, ResultFormat, Source, read, read_result,
+    Column, Coordinate, Format, GraphFile, Input, Numbering, Source, read, read_result,
 };
 use sweep_cdt_trace::Trace;
 use sweep_cdt_trace::{read_trace, write_trace};
@@ -268,7 +268,7 @@ fn try_reader(reader: Reader, bytes: &[u8], share: usize) {
 
 /// Reads a result, verifies it, and writes and draws what is wrong with it.
 fn try_result<S: Coordinate + Scalar>(
-    format: ResultFormat,
+    format: Format,
     source: &Source,
     node: Option<&Source>,
     input: &GraphFile<S>,

@@ -5,7 +5,7 @@ use std::fmt::Write;
 
 use arbitrary::{Result, Unstructured};
 use sweep_cdt::Pslg;
-use sweep_cdt_formats::{Coordinate, GraphFile, Matched, ResultFormat, Source, read_result};
+use sweep_cdt_formats::{Coordinate, Format, GraphFile, Matched, Source, read_result};
 use sweep_cdt_testing::generators;
 use sweep_cdt_testing::tuned::triangulate;
 
@@ -90,7 +90,7 @@ impl Moved {
                 .iter()
                 .zip(input.graph.points.as_flattened())
         };
-        match read_result(ResultFormat::Obj, &source, None, &input) {
+        match read_result(Format::Obj, &source, None, &input) {
             // All are there, so they can be matched.
             Err(error) => {
                 assert!(!own.iter().all(input_has), "{error}: {own:?} for {input:?}");

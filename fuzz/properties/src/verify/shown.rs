@@ -5,7 +5,7 @@ use std::panic::catch_unwind;
 use sweep_cdt::Pslg;
 use sweep_cdt::verify::Verifier;
 use sweep_cdt_draw::ViolationsPicture;
-use sweep_cdt_formats::{GraphFile, ResultFormat, Source, read_result};
+use sweep_cdt_formats::{Format, GraphFile, Source, read_result};
 
 use super::case::{Case, is_defined};
 use crate::file::{File, json};
@@ -32,7 +32,7 @@ impl Case {
             ..Pslg::default()
         });
         let source = Source::new("result.json", result);
-        let triangles = read_result(ResultFormat::Json, &source, None, &file).ok()?;
+        let triangles = read_result(Format::Json, &source, None, &file).ok()?;
         let graph = &file.graph;
         let verdict = Verifier::new().verify(&graph.points, &graph.edges, &triangles.list);
         let violations = verdict.err().map_or_else(Vec::new, |wrong| wrong.list);

@@ -5,9 +5,7 @@ use std::io::{self, Read, Seek, SeekFrom};
 use std::path::Path;
 use std::time::SystemTime;
 
-use sweep_cdt_formats::ReadError;
-
-use crate::external::error::reason;
+use sweep_cdt_formats::{ReadError, reason};
 
 /// The bytes that are read at once.
 pub(super) const PIECE: usize = 1 << 18;

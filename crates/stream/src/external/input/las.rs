@@ -17,9 +17,8 @@ use las::{Header, LazParallelism, PointData, PointDataBuilder, Reader, ReaderOpt
 use laz::LazVlr;
 use laz::laszip::{ChunkTable, LazItemType};
 use sweep_cdt::threads::has_threads;
-use sweep_cdt_formats::ReadError;
+use sweep_cdt_formats::{ReadError, reason};
 
-use crate::external::error::reason;
 use crate::external::input::Input;
 use crate::external::input::file::InputFile;
 

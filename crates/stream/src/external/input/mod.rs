@@ -12,7 +12,7 @@ mod triangle;
 
 use std::path::Path;
 
-use sweep_cdt_formats::{Named, ReadError};
+use sweep_cdt_formats::{Format, ReadError};
 
 /// Points and edges that come in pieces: a file, or what a program makes.
 pub trait Input {
@@ -43,84 +43,45 @@ pub trait Input {
     }
 }
 
-/// A format that is read in pieces.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum InputFormat {
-    /// Doubles, x and y of each point; little-endian, without a header.
-    Raw,
-    /// Stanford's `.ply`, as text or binary.
-    Ply,
-    /// Triangle's `.node`.
-    Node,
-    /// Triangle's `.poly`, and the `.node` beside it if that has the vertices.
-    Poly,
-    /// Points as text, a row for each.
-    Csv,
-    /// Points as text under another name.
-    Xyz,
-    /// Points as text under another name.
-    Txt,
-    /// A point cloud of a laser scanner, x and y of each point.
+/// The formats that are read in pieces. A `.poly` may have its vertices in the `.node` beside it.
+pub const FORMATS: &[Format] = &[
+    Format::F64,
+    Format::Ply,
+    Format::Node,
+    Format::Poly,
+    Format::Csv,
+    Format::Xyz,
+    Format::Txt,
     #[cfg(feature = "las")]
-    Las,
-    /// A point cloud that is packed.
+    Format::Las,
     #[cfg(feature = "las")]
-    Laz,
-}
+    Format::Laz,
+];
 
-impl Named for InputFormat {
-    const ALL: &'static [Self] = &[
-        InputFormat::Raw,
-        InputFormat::Ply,
-        InputFormat::Node,
-        InputFormat::Poly,
-        InputFormat::Csv,
-        InputFormat::Xyz,
-        InputFormat::Txt,
-        #[cfg(feature = "las")]
-        InputFormat::Las,
-        #[cfg(feature = "las")]
-        InputFormat::Laz,
-    ];
-
-    fn name(self) -> &'static str {
-        match self {
-            InputFormat::Raw => "f64",
-            InputFormat::Ply => "ply",
-            InputFormat::Node => "node",
-            InputFormat::Poly => "poly",
-            InputFormat::Csv => "csv",
-            InputFormat::Xyz => "xyz",
-            InputFormat::Txt => "txt",
-            #[cfg(feature = "las")]
-            InputFormat::Las => "las",
-            #[cfg(feature = "las")]
-            InputFormat::Laz => "laz",
-        }
-    }
-}
-
-/// Opens a file. The edges of points alone may be in a file of their own, as pairs of whole numbers of 64 bits,
-/// little-endian: the numbers of both ends from 0.
+/// Opens a file in one of [`FORMATS`]. The edges of points alone may be in a file of their own, as pairs of whole numbers
+/// of 64 bits, little-endian: the numbers of both ends from 0.
 ///
 /// # Errors
-/// A file cannot be opened, or does not begin as its format does.
+/// A file cannot be opened or does not begin as its format does; or the format is none of [`FORMATS`].
 pub fn open(
     path: &Path,
-    format: InputFormat,
+    format: Format,
     edges: Option<&Path>,
 ) -> Result<Box<dyn Input>, ReadError> {
     let input: Box<dyn Input> = match format {
-        InputFormat::Raw => Box::new(raw::Points::open(path)?),
-        InputFormat::Ply => Box::new(ply::Ply::open(path)?),
-        InputFormat::Node => Box::new(triangle::Triangle::open(path, false)?),
-        InputFormat::Poly => Box::new(triangle::Triangle::open(path, true)?),
-        InputFormat::Csv | InputFormat::Xyz | InputFormat::Txt => Box::new(text::Text::open(path)?),
+        Format::F64 => Box::new(raw::Points::open(path)?),
+        Format::Ply => Box::new(ply::Ply::open(path)?),
+        Format::Node => Box::new(triangle::Triangle::open(path, false)?),
+        Format::Poly => Box::new(triangle::Triangle::open(path, true)?),
+        Format::Csv | Format::Xyz | Format::Txt => Box::new(text::Text::open(path)?),
         #[cfg(feature = "las")]
-        InputFormat::Las | InputFormat::Laz => Box::new(las::Cloud::open(path)?),
+        Format::Las | Format::Laz => Box::new(las::Cloud::open(path)?),
+        _ => {
+            let message = format!("a .{} is not read in pieces", format.name());
+            return Err(ReadError::of_file(path.display().to_string(), message));
+        }
     };
-    let has_edges = matches!(format, InputFormat::Ply | InputFormat::Poly);
+    let has_edges = matches!(format, Format::Ply | Format::Poly);
     match edges {
         None => Ok(input),
         Some(edges) if has_edges => {

@@ -9,7 +9,7 @@ use std::ops::Range;
 use std::path::Path;
 
 use sweep_cdt::threads::on_all_cores;
-use sweep_cdt_formats::{Input as Whole, InputFormat, ReadError, Source, read};
+use sweep_cdt_formats::{Format, Input as Whole, ReadError, Source, read};
 
 use crate::external::input::Input;
 use crate::external::input::file::InputFile;
@@ -155,7 +155,7 @@ impl Begin {
     /// The points of a piece, as if it followed the begin.
     fn points_with(&self, piece: &[u8]) -> Result<Vec<[f64; 2]>, ReadError> {
         let source = Source::new(&self.name, [&self.text, piece].concat());
-        match read(InputFormat::Csv, &source, None)? {
+        match read(Format::Csv, &source, None)? {
             Whole::Doubles(file) => {
                 let mut points = file.graph.points;
                 points.drain(..self.points);

@@ -15,9 +15,7 @@ mod vtu;
 
 use arbitrary::{Result, Unstructured};
 use sweep_cdt::{Pslg, Triangulation, triangulate};
-use sweep_cdt_formats::{
-    GraphFile, Input, InputFormat, Matched, Named, ResultFormat, read, read_result,
-};
+use sweep_cdt_formats::{Format, GraphFile, Input, Matched, read, read_result};
 use sweep_cdt_testing::generators;
 
 use self::meant::Meant;
@@ -62,8 +60,8 @@ pub(super) fn judge(bytes: &mut Unstructured<'_>) -> Result<()> {
         5 | 6 => ("vtk", vtk::write(&meant, style, number)),
         _ => ("vtu", vtu::write(&meant, style, number, packing)),
     };
-    let as_input = InputFormat::named(name).expect("a format");
-    let as_result = ResultFormat::named(name).expect("a format");
+    let as_input = Format::named(name, Format::INPUTS).expect("a format");
+    let as_result = Format::named(name, Format::RESULTS).expect("a format");
     judge_input(as_input, &file, &meant);
     judge_result(as_result, &file, &meant, &result);
     // A byte that is damaged may change what is read, or be refused, and nothing else.
@@ -81,7 +79,7 @@ pub(super) fn judge(bytes: &mut Unstructured<'_>) -> Result<()> {
 }
 
 /// Panics unless the file reads as the points, heights and edges that it means.
-fn judge_input(format: InputFormat, bytes: &[u8], meant: &Meant) {
+fn judge_input(format: Format, bytes: &[u8], meant: &Meant) {
     let shown = || format!("{} of {meant:?}", String::from_utf8_lossy(bytes));
     let file = match read(format, &source(bytes), None) {
         Ok(Input::Doubles(file)) => file,
@@ -94,7 +92,7 @@ fn judge_input(format: InputFormat, bytes: &[u8], meant: &Meant) {
 }
 
 /// Panics unless the file reads as the triangles that it means.
-fn judge_result(format: ResultFormat, file: &[u8], meant: &Meant, result: &Triangulation) {
+fn judge_result(format: Format, file: &[u8], meant: &Meant, result: &Triangulation) {
     let shown = || format!("{} of {meant:?}", String::from_utf8_lossy(file));
     let input = Pslg {
         points: meant.points.clone(),

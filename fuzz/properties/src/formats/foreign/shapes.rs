@@ -2,7 +2,7 @@
 
 use arbitrary::{Result, Unstructured};
 use sweep_cdt::{Pslg, triangulate};
-use sweep_cdt_formats::{Input, InputFormat, Named, ResultFormat, read, read_result};
+use sweep_cdt_formats::{Format, Input, read, read_result};
 use sweep_cdt_testing::generators;
 
 use super::shapes_text::{Kind, Shape, Third, geojson, height, wkt};
@@ -119,7 +119,7 @@ fn compare(name: &str, file: &str, shapes: &[Shape], points: &[[f64; 2]]) {
             ring_of.resize(meant.edges.len(), ring);
         }
     }
-    let format = InputFormat::named(name).expect("a format");
+    let format = Format::named(name, Format::INPUTS).expect("a format");
     let found = match read(format, &source(file.as_bytes()), None) {
         Ok(Input::Doubles(found)) => found,
         other => panic!("{other:?}: {file}"),
@@ -150,7 +150,7 @@ fn compare(name: &str, file: &str, shapes: &[Shape], points: &[[f64; 2]]) {
         points: points.to_vec(),
         ..Pslg::default()
     };
-    let format = ResultFormat::named(name).expect("a format");
+    let format = Format::named(name, Format::RESULTS).expect("a format");
     let read = read_result(format, &source(file.as_bytes()), None, &input.into());
     let found = read.as_ref().ok().map(|read| {
         let list = read.list.as_flattened().iter();

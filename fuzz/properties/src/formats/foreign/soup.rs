@@ -5,7 +5,7 @@
 //! printed with different numbers of digits: what is one vertex has one place.
 
 use sweep_cdt::{Pslg, triangulate};
-use sweep_cdt_formats::{GraphFile, Matched, ResultFormat, read_result};
+use sweep_cdt_formats::{Format, GraphFile, Matched, read_result};
 
 use super::numbers::{Form, Kind, Order};
 use crate::formats::again::source;
@@ -50,7 +50,7 @@ pub(super) fn judge(mut points: Vec<[f64; 2]>, [style, which, height]: [u8; 3]) 
     let is_finite = corners.as_flattened().iter().all(|x| x.is_finite());
     let expected = expected.filter(|_| is_finite);
     judge_printed(&input, &triangles, style);
-    let read = read_result(ResultFormat::Stl, &source(&file), None, &input);
+    let read = read_result(Format::Stl, &source(&file), None, &input);
     let found = read.as_ref().ok().map(|read| {
         let list = read.list.as_flattened().iter();
         list.map(|&v| points[v]).collect::<Vec<_>>()
@@ -76,7 +76,7 @@ fn judge_printed(input: &GraphFile<f64>, triangles: &[[usize; 3]], style: u8) {
         text += "endloop\nendfacet\n";
     }
     text += "endsolid a\n";
-    let read = read_result(ResultFormat::Stl, &source(text.as_bytes()), None, input);
+    let read = read_result(Format::Stl, &source(text.as_bytes()), None, input);
     let Ok(read) = read else { return };
     let mut place_of = vec![None; input.graph.points.len()];
     for (&v, place) in read.list.as_flattened().iter().zip(&places) {

@@ -6,17 +6,20 @@
 //!
 //! Other programs call these lists `vertices`, `segments`, and `simplices` or `faces`, which are read too.
 //!
-//! An input may have more, as Triangle has it (see `json_more.rs`).
+//! An input may have more, as Triangle has it (see `more.rs`).
 //!
 //! A coordinate is a number, or a string for what a JSON number cannot be: `"2/3"`, `"nan"`, `"inf"`,
 //! `"-inf"`. Other members are ignored, with a remark in an input.
 //!
 //! A file without `points` that has a `type` of `GeoJSON` is read as that format.
 
+mod faults;
+mod more;
+pub(super) mod pieces;
+
 use crate::read::content::{Corners, Edges, Labels, Syntax, Vertices};
-use crate::read::json_pieces::Position;
+use crate::read::json::pieces::Position;
 use crate::read::source::{ReadError, Source};
-use crate::read::{json_faults, json_more};
 use serde::Deserialize;
 use serde_json::value::RawValue;
 
@@ -43,12 +46,12 @@ struct Answer<'a, T> {
 /// Reads a `.json` with a graph.
 pub(super) fn read(source: &Source) -> Result<Edges<'_>, ReadError> {
     let Document { points, edges } =
-        object(source)?.map_err(|error| json_faults::of_graph(source, &error))?;
+        object(source)?.map_err(|error| faults::of_graph(source, &error))?;
     let exists = |edge: &[usize; 2]| edge.iter().all(|&vertex| vertex < points.len());
     if !edges.iter().all(exists) {
-        return Err(json_faults::of_ends(source, &edges, points.len()));
+        return Err(faults::of_ends(source, &edges, points.len()));
     }
-    json_more::read(
+    more::read(
         source,
         Edges::without_seeds(vertices(source, points), edges, 0),
     )
@@ -61,7 +64,7 @@ pub(super) fn read_triangles(source: &Source) -> Result<Corners<'_>, ReadError> 
         triangles,
         regions,
     } = object(source)?
-        .or_else(|error| flat(source).ok_or_else(|| json_faults::of_triangles(source, &error)))?;
+        .or_else(|error| flat(source).ok_or_else(|| faults::of_triangles(source, &error)))?;
     Ok(Corners {
         first: 0,
         first_vertex: 0,
@@ -109,7 +112,7 @@ fn object<'a, T: Deserialize<'a>>(
     let text = source.text()?;
     // Serde would take a list for an object without names.
     if text.trim_ascii_start().starts_with(b"[") {
-        return Err(json_faults::of_list(source));
+        return Err(faults::of_list(source));
     }
     Ok(serde_json::from_slice(text))
 }

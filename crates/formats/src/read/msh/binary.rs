@@ -18,7 +18,7 @@ use crate::graph_file::whole;
 use crate::read::binary::{Kind, Number};
 use crate::read::content::Syntax;
 use crate::read::mesh::{Cells, Mesh};
-use crate::read::msh_parts::{Nodes, add_element, has_blocks, mesh};
+use crate::read::msh::parts::{Nodes, add_element, has_blocks, mesh};
 use crate::read::remarks::Remarks;
 use crate::read::source::{ReadError, Source, quoted};
 use crate::read::words::Words;

@@ -4,7 +4,7 @@
 
 use serde_json::value::RawValue;
 
-use crate::read::json_pieces::{File, no_json};
+use crate::read::json::pieces::{File, no_json};
 use crate::read::source::{ReadError, Source, no_vertex, quoted};
 
 /// The items that a file has lists of.

@@ -29,7 +29,7 @@ const CURVES: [&[u8]; 5] = [
 ];
 
 /// Reads a `.wkt`.
-pub(super) fn read(source: &Source) -> Result<Shapes<'_>, ReadError> {
+pub(crate) fn read(source: &Source) -> Result<Shapes<'_>, ReadError> {
     let mut tokens = Tokens {
         source,
         rest: source.text()?,

@@ -9,15 +9,15 @@ use serde_json::value::RawValue;
 use crate::read::source::{ReadError, Source, quoted};
 
 /// A JSON file, member by member.
-pub(super) struct File<'a> {
+pub(crate) struct File<'a> {
     source: &'a Source,
-    pub(super) whole: &'a RawValue,
+    pub(crate) whole: &'a RawValue,
     /// In their order, and with those that are there twice.
-    pub(super) members: Vec<(String, &'a RawValue)>,
+    pub(crate) members: Vec<(String, &'a RawValue)>,
 }
 
 impl<'a> File<'a> {
-    pub(super) fn new(source: &'a Source) -> Result<File<'a>, ReadError> {
+    pub(crate) fn new(source: &'a Source) -> Result<File<'a>, ReadError> {
         let text = source.text()?;
         let whole: Result<&RawValue, _> = serde_json::from_slice(text);
         let whole = whole.map_err(|error| no_json(source, text, &error))?;
@@ -38,13 +38,13 @@ impl<'a> File<'a> {
     }
 
     /// A fault of a piece of the file.
-    pub(super) fn fault(&self, piece: &RawValue, message: impl Into<String>) -> ReadError {
+    pub(crate) fn fault(&self, piece: &RawValue, message: impl Into<String>) -> ReadError {
         fault(self.source, piece, message)
     }
 }
 
 /// A fault of a piece of a file.
-pub(super) fn fault(source: &Source, piece: &RawValue, message: impl Into<String>) -> ReadError {
+pub(crate) fn fault(source: &Source, piece: &RawValue, message: impl Into<String>) -> ReadError {
     let (line, column) = source.position(piece.get().as_bytes());
     ReadError {
         column: Some(column),
@@ -54,8 +54,7 @@ pub(super) fn fault(source: &Source, piece: &RawValue, message: impl Into<String
 
 /// The JSON texts of a file: one, or several one after the other, each of them after a record separator (RFC 8142) or on
 /// lines of its own.
-#[cfg(feature = "mesh-formats")]
-pub(super) fn texts(source: &Source) -> Result<Vec<&RawValue>, ReadError> {
+pub(crate) fn texts(source: &Source) -> Result<Vec<&RawValue>, ReadError> {
     const SEPARATOR: u8 = 0x1e;
     let mut texts = Vec::new();
     let mut rest = source.text()?;
@@ -79,7 +78,7 @@ pub(super) fn texts(source: &Source) -> Result<Vec<&RawValue>, ReadError> {
 const EMPTY: &str = "the file is empty";
 
 /// The error that `text`, the file or the rest of it, is no JSON, or not all of it. Serde counts lines by line feeds alone.
-pub(super) fn no_json(source: &Source, text: &[u8], error: &serde_json::Error) -> ReadError {
+pub(crate) fn no_json(source: &Source, text: &[u8], error: &serde_json::Error) -> ReadError {
     if text.trim_ascii().is_empty() {
         return source.error_in_line(1, EMPTY);
     }
@@ -114,7 +113,7 @@ fn word_at(text: &[u8], at: usize) -> &[u8] {
 }
 
 /// The members of the object that a text is, if it is one.
-pub(super) fn members(text: &[u8]) -> Option<Vec<(String, &RawValue)>> {
+pub(crate) fn members(text: &[u8]) -> Option<Vec<(String, &RawValue)>> {
     // Serde would take a list for an object without names.
     let text = Some(text.trim_ascii_start()).filter(|text| text.starts_with(b"{"));
     let Members(members) = serde_json::from_slice(text?).ok()?;
@@ -149,9 +148,9 @@ impl<'de> Visitor<'de> for MembersVisitor {
 }
 
 /// Coordinates, and a height if there is one.
-pub(super) struct Position<'a>(
-    pub(super) [&'a RawValue; 2],
-    pub(super) Option<&'a RawValue>,
+pub(crate) struct Position<'a>(
+    pub(crate) [&'a RawValue; 2],
+    pub(crate) Option<&'a RawValue>,
 );
 
 impl<'de: 'a, 'a> Deserialize<'de> for Position<'a> {

@@ -13,11 +13,14 @@
 //! ```
 //!
 //! The numbers of a `DataArray` stand in it as text or in base 64, or in `AppendedData` behind all others, in base 64 or
-//! as they are; packed by zlib or not (see `vtu_arrays.rs`). Data of the cells are read of two names, `marker` and
-//! `region` (see `vtk_cells.rs`). Other data of the cells, and data of several components, are ignored with a remark.
+//! as they are; packed by zlib or not (see `arrays.rs`). Data of the cells are read of two names, `marker` and
+//! `region` (see `vtk/cells.rs`). Other data of the cells, and data of several components, are ignored with a remark.
 //!
 //! What is packed is unpacked into a copy of the file, behind its text. So numbers are pieces of one source here as in
 //! all other readers. It costs the memory of the copy, for which there is a limit ([`Source::unpacked_limit`]).
+
+mod arrays;
+mod elements;
 
 use std::iter;
 use std::ops::Range;
@@ -28,9 +31,9 @@ use crate::read::mesh::{Cells, Mesh};
 use crate::read::remarks::Remarks;
 use crate::read::source::{ReadError, ReadErrorKind, Source, quoted};
 use crate::read::vtk;
-use crate::read::vtk_cells::CellData;
-use crate::read::vtu_arrays::{Fault, Packing, Stored};
-use crate::read::vtu_elements::{Array, Elements, Section};
+use crate::read::vtk::cells::CellData;
+use crate::read::vtu::arrays::{Fault, Packing, Stored};
+use crate::read::vtu::elements::{Array, Elements, Section};
 
 /// A file with its arrays unpacked behind the text.
 pub(super) struct Unpacked {

@@ -17,7 +17,7 @@ pub enum Precision {
 }
 
 /// Coordinates as they are written.
-pub(super) trait Written {
+pub(crate) trait Written {
     /// The text of a coordinate.
     fn text(&self, vertex: usize, axis: usize) -> Cow<'_, str>;
 

@@ -11,6 +11,8 @@
 //! Other arrays are ignored with a remark. What is packed in an archive is unpacked behind a copy of the file, within the limit that
 //! [`Source::unpacked_limit`] sets, and the sums of the archive are checked.
 
+mod npy;
+
 use std::borrow::Cow;
 use std::io::{self, Read};
 use std::ops::Range;
@@ -21,7 +23,7 @@ use rawzip::{CompressionMethod, ZipArchive, ZipArchiveEntryWayfinder};
 use crate::Column;
 use crate::read::content::{Corners, Edges, Field, Labels, Vertices};
 use crate::read::mesh::{Cells, Mesh};
-use crate::read::npy::Array;
+use crate::read::numpy::npy::Array;
 use crate::read::remarks::Remarks;
 use crate::read::source::{ReadError, ReadErrorKind, Source, quoted};
 

@@ -10,12 +10,14 @@
 //! binary file is a double, and arrives as it is; those of a text as all texts do, whatever type they are said to
 //! have.
 
+pub(super) mod header;
+
 use crate::Column;
 use crate::graph_file::whole;
 use crate::read::binary::{Kind, Number};
 use crate::read::content::{Field, Syntax, Vertices};
 use crate::read::mesh::{Cells, Mesh};
-use crate::read::ply_header::{self, Element, Encoding, Property};
+use crate::read::ply::header::{Element, Encoding, Property};
 use crate::read::remarks::Remarks;
 use crate::read::source::{ReadError, Source, quoted};
 use crate::read::token_lines::Lines;
@@ -23,7 +25,7 @@ use crate::read::token_lines::Lines;
 /// Reads a `.ply`.
 pub(super) fn read(source: &Source) -> Result<Mesh<'_>, ReadError> {
     let mut lines = Lines::new(source)?;
-    let header = ply_header::read(source, &mut lines)?;
+    let header = header::read(source, &mut lines)?;
     let mut body = match header.encoding {
         Encoding::Text => Body::Text(lines),
         Encoding::Binary { big_endian } => Body::Binary {

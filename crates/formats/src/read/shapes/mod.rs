@@ -4,6 +4,9 @@
 //! is not closed is closed. Equal points become one vertex ([`read`](crate::read())). Which ring is whose hole goes along
 //! ([`Polygons`]). A result takes the polygons, which must be triangles, and nothing else; its corners are found in the input by their coordinates.
 
+pub(super) mod geojson;
+pub(super) mod wkt;
+
 use std::ops::Range;
 
 use crate::read::content::{Corners, Edges, Labels, Syntax, Vertices};
@@ -119,10 +122,6 @@ impl<'a> Shapes<'a> {
             syntax: self.syntax,
             ..Vertices::plain(self.source, self.coordinates, 0)
         };
-        // What begins no features, a drawing, has none.
-        if self.features == 0 {
-            features.clear();
-        }
         Edges {
             polygons,
             features,

@@ -9,13 +9,13 @@ use crate::read::source::ReadError;
 ///
 /// ```
 /// use sweep_cdt::Pslg;
-/// use sweep_cdt_formats::{ResultError, ResultFormat, Source, read_result};
+/// use sweep_cdt_formats::{Format, ResultError, Source, read_result};
 ///
 /// let points = vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
 /// let input = Pslg { points, ..Pslg::default() }.into();
 /// let bytes = b"v 0 0 0\nv 1 0 0\nv 0 3 0\nf 1 2 3".to_vec();
 /// let source = Source::new("a.obj", bytes);
-/// let error = read_result(ResultFormat::Obj, &source, None, &input).unwrap_err();
+/// let error = read_result(Format::Obj, &source, None, &input).unwrap_err();
 /// assert!(matches!(error, ResultError::Stranger { vertex: 3, .. }));
 /// let text = "a.obj:3: vertex 3 is at (0, 3), where the input has none: the nearest is vertex 2 at (0, 1), by 2";
 /// assert_eq!(error.to_string(), text);

@@ -9,7 +9,7 @@ use quick_xml::events::{BytesStart, Event};
 
 use crate::read::binary::Kind;
 use crate::read::source::{ReadError, Source, quoted};
-use crate::read::vtu_arrays::{Appended, Packing, Stored};
+use crate::read::vtu::arrays::{Appended, Packing, Stored};
 
 /// The contents of the elements.
 pub(super) struct Elements<'a> {

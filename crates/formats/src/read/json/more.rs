@@ -19,7 +19,7 @@ use serde::Deserialize;
 use serde_json::value::RawValue;
 
 use crate::read::content::{Edges, Field, Syntax, Vertices};
-use crate::read::json_pieces::{Position, fault, members};
+use crate::read::json::pieces::{Position, fault, members};
 use crate::read::source::{ReadError, Source};
 use crate::{Column, CoordinateSystem, Faces};
 

@@ -7,7 +7,7 @@ use crate::read::remarks::Remarks;
 
 /// Numbers for the cells of a file, and which lines and triangles each cell became.
 #[derive(Default)]
-pub(super) struct CellData {
+pub(crate) struct CellData {
     /// How many lines and triangles there are after each cell.
     ends: Vec<[usize; 2]>,
     /// Of each cell, if the file has them.
@@ -17,23 +17,23 @@ pub(super) struct CellData {
 
 impl CellData {
     /// The name of the regions.
-    pub(super) const REGION: &str = "region";
+    pub(crate) const REGION: &str = "region";
 
     /// Whether numbers of this name are read.
-    pub(super) fn is_read(name: &[u8]) -> bool {
+    pub(crate) fn is_read(name: &[u8]) -> bool {
         [Column::MARKER, CellData::REGION]
             .map(str::as_bytes)
             .contains(&name)
     }
 
     /// Ends a cell: it became what the lists have more than before.
-    pub(super) fn end_cell(&mut self, cells: &Cells) {
+    pub(crate) fn end_cell(&mut self, cells: &Cells) {
         self.ends
             .push([cells.lines.len(), cells.faces.triangles.len()]);
     }
 
     /// Adds the numbers of all cells under a name that is read.
-    pub(super) fn add(&mut self, name: &[u8], numbers: Vec<f64>) {
+    pub(crate) fn add(&mut self, name: &[u8], numbers: Vec<f64>) {
         if name == Column::MARKER.as_bytes() {
             self.markers = Some(numbers);
         } else {
@@ -43,7 +43,7 @@ impl CellData {
 
     /// The lines with their markers, and the triangles with their regions. Numbers that are too few or too many, and
     /// markers that are not whole, are ignored with a remark.
-    pub(super) fn given_to(self, mut cells: Cells, remarks: &mut Remarks) -> Cells {
+    pub(crate) fn given_to(self, mut cells: Cells, remarks: &mut Remarks) -> Cells {
         let CellData {
             ends,
             markers,

@@ -91,7 +91,7 @@ impl Element<'_> {
 }
 
 /// Reads the header, and leaves `lines` at what follows it.
-pub(super) fn read<'a>(source: &'a Source, lines: &mut Lines<'a>) -> Result<Header<'a>, ReadError> {
+pub(crate) fn read<'a>(source: &'a Source, lines: &mut Lines<'a>) -> Result<Header<'a>, ReadError> {
     let missing = |what: &'static str| move || what.to_owned();
     let mut first = lines.expect_line(missing("`ply`"))?;
     if first.token() != Some(b"ply") {

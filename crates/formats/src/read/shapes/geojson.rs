@@ -19,7 +19,7 @@ use serde::Deserialize;
 use serde_json::value::RawValue;
 
 use crate::read::content::Syntax;
-use crate::read::json_pieces::{Position, fault, members, texts};
+use crate::read::json::pieces::{Position, fault, members, texts};
 use crate::read::names::{HEIGHTS, rank};
 use crate::read::shapes::{Part, Shapes};
 use crate::read::source::{ReadError, Source, quoted};
@@ -98,7 +98,7 @@ fn list(piece: Option<&RawValue>) -> Option<Vec<&RawValue>> {
 }
 
 /// Whether a `.json` holds `GeoJSON`: its first text has a type of it.
-pub(super) fn is_in(source: &Source) -> bool {
+pub(crate) fn is_in(source: &Source) -> bool {
     let text = source.text().unwrap_or_default();
     let mut texts = serde_json::Deserializer::from_slice(text).into_iter::<&RawValue>();
     let first = texts.next().and_then(Result::ok);
@@ -108,7 +108,7 @@ pub(super) fn is_in(source: &Source) -> bool {
 }
 
 /// Reads a `.geojson`.
-pub(super) fn read(source: &Source) -> Result<Shapes<'_>, ReadError> {
+pub(crate) fn read(source: &Source) -> Result<Shapes<'_>, ReadError> {
     let mut shapes = Shapes::new(source, Syntax::Json);
     // What is still to be read, each with the number of objects around it, and whether a feature is; the next one last.
     let mut waiting: Vec<_> = texts(source)?.into_iter().rev().map(Waiting::new).collect();

@@ -3,10 +3,10 @@
 use std::borrow::Cow;
 
 use crate::Coordinate;
-use crate::read::matched::Matched;
+use crate::read::matching::matched::Matched;
+use crate::read::matching::refusal::ResultError;
+use crate::read::matching::written::{Precision, Written};
 use crate::read::matching::{Matching, added};
-use crate::read::refusal::ResultError;
-use crate::read::written::{Precision, Written};
 
 /// Vertices of a result that stand in no file, numbered from 0.
 ///

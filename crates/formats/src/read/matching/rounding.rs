@@ -12,7 +12,7 @@
 //!
 //! Cost: a number is printed once, and two are read.
 
-use crate::read::written::Written;
+use crate::read::matching::written::Written;
 use sweep_cdt::scalar::Scalar;
 
 /// How a program rounds.

@@ -1,4 +1,4 @@
-//! Gmsh's `.msh` of the versions 2 and 4.1, as text or binary (see `msh_binary.rs`; `msh_parts.rs` has what both share): nodes, and the elements that are
+//! Gmsh's `.msh` of the versions 2 and 4.1, as text or binary (see `binary.rs`; `parts.rs` has what both share): nodes, and the elements that are
 //! lines and triangles.
 //!
 //! ```text
@@ -21,10 +21,12 @@
 //! triangle its region: the physical group. (Version 4.1 has no tags.) Nodes that are not numbered from 0 or 1 in the
 //! order of the file are numbered from 1 on. Other sections, data of the nodes for instance, are ignored with a remark.
 
+mod binary;
+mod parts;
+
 use crate::read::content::Syntax;
 use crate::read::mesh::{Cells, Mesh};
-use crate::read::msh_binary;
-use crate::read::msh_parts::{Nodes, add_element, has_blocks, mesh};
+use crate::read::msh::parts::{Nodes, add_element, has_blocks, mesh};
 use crate::read::remarks::Remarks;
 use crate::read::source::{ReadError, Source, quoted};
 use crate::read::token_lines::{Line, Lines};
@@ -33,8 +35,8 @@ const NODE: &str = "a node's number";
 
 /// Reads a `.msh`.
 pub(super) fn read(source: &Source) -> Result<Mesh<'_>, ReadError> {
-    if msh_binary::is_in(source)? {
-        return msh_binary::read(source);
+    if binary::is_in(source)? {
+        return binary::read(source);
     }
     let mut lines = Lines::new(source)?;
     let mut has_blocks = None;

@@ -16,13 +16,16 @@
 //! triangles. Other data of the cells, data with several components, and data of kinds other than `SCALARS`, `VECTORS`,
 //! `NORMALS` and `FIELD` with all that follows, are ignored with a remark.
 
+mod arrays;
+pub(super) mod cells;
+
 use crate::read::binary::Kind;
 use crate::read::content::{Field, Vertices};
 use crate::read::mesh::{Cells, Mesh};
 use crate::read::remarks::Remarks;
 use crate::read::source::{ReadError, Source};
-use crate::read::vtk_arrays::Arrays;
-use crate::read::vtk_cells::CellData;
+use crate::read::vtk::arrays::Arrays;
+use crate::read::vtk::cells::CellData;
 use crate::read::words::Words;
 
 /// Reads a `.vtk`.

@@ -9,15 +9,23 @@
 //!
 //! Cost: a sort of the input's points and one of the vertices of the file; of rounded ones what [`Nearby`] takes.
 
+pub(super) mod listed;
+pub(super) mod matched;
+mod nearby;
+pub(super) mod refusal;
+mod rounded;
+mod rounding;
+pub(super) mod written;
+
 use crate::Coordinate;
 use crate::order::{is_finite, order, sorted};
-use crate::read::matched::Matched;
-use crate::read::nearby::{Nearby, apart};
-use crate::read::refusal::ResultError;
-use crate::read::rounded::Rounded;
-use crate::read::rounding::Rule;
+use crate::read::matching::matched::Matched;
+use crate::read::matching::nearby::{Nearby, apart};
+use crate::read::matching::refusal::ResultError;
+use crate::read::matching::rounded::Rounded;
+use crate::read::matching::rounding::Rule;
+use crate::read::matching::written::Written;
 use crate::read::source::ReadError;
-use crate::read::written::Written;
 use sweep_cdt::scalar::Scalar;
 
 /// How vertices of a result are matched with those of the input.

@@ -19,13 +19,15 @@
 //! Cost: time in proportion to the text. So is the memory: short rows may leave out no more fields than the file has
 //! bytes.
 
+mod rows;
+
 use std::collections::HashMap;
 
 use crate::read::content::{Edges, Field, Syntax, Vertices};
 use crate::read::names::{HEIGHTS, rank};
 use crate::read::remarks::Remarks;
-use crate::read::rows::{Rows, Separator, text};
 use crate::read::source::{ReadError, Source, quoted};
+use crate::read::text::rows::{Rows, Separator, text};
 use crate::{Column, CoordinateError, Remark};
 
 /// The names of x and y, in families: both are of the same one.

@@ -5,10 +5,10 @@
 //! input's type, so comparing decides exactly.
 
 use crate::Coordinate;
-use crate::read::nearby::{Nearby, apart};
-use crate::read::refusal::{Nearest, ResultError};
-use crate::read::rounding::{Rule, are_singles, fixed_places};
-use crate::read::written::{Precision, Written};
+use crate::read::matching::nearby::{Nearby, apart};
+use crate::read::matching::refusal::{Nearest, ResultError};
+use crate::read::matching::rounding::{Rule, are_singles, fixed_places};
+use crate::read::matching::written::{Precision, Written};
 
 /// Vertices of a result whose coordinates are rounded, or differ by no more than a tolerance.
 pub(super) struct Rounded<'a, S, W> {
