@@ -6,7 +6,6 @@ use std::fs::{self, File, Metadata};
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
-use bytesize::ByteSize;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use sweep_cdt_formats::{Coordinate, GraphFile, Named, ReadError, Remark, Source};
 
@@ -152,13 +151,26 @@ pub(crate) struct ReadingArgs {
     /// Most bytes that what is packed in a .vtu, .vtp or .npz may unpack to: 500M, 16G or 2GiB, for example [default: 16MiB,
     /// or 32 times the file's size]
     #[arg(long, value_name = "SIZE", value_parser = size)]
-    unpacked_limit: Option<ByteSize>,
+    unpacked_limit: Option<u64>,
 }
 
 /// A number of bytes.
-pub(crate) fn size(text: &str) -> Result<ByteSize, String> {
-    let size = text.parse();
-    size.map_err(|_| "it is no number of bytes, as 500M, 16G, 2GiB or 4096 are".to_owned())
+pub(crate) fn size(text: &str) -> Result<u64, String> {
+    let parsed = || {
+        let end = text.find(|c: char| c.is_alphabetic() || c.is_whitespace());
+        let (number, unit) = text.split_at(end.unwrap_or(text.len()));
+        let unit = unit.trim_start().to_ascii_lowercase();
+        let unit = unit.strip_suffix('b').unwrap_or(&unit);
+        let (thousand, unit) = match unit.strip_suffix('i') {
+            Some(unit) => (1024_u64, unit),
+            None => (1000, unit),
+        };
+        let units = ["", "k", "m", "g", "t", "p", "e"];
+        let power = units.iter().position(|known| *known == unit)?;
+        let factor = thousand.pow(u32::try_from(power).ok()?);
+        number.parse::<u64>().ok()?.checked_mul(factor)
+    };
+    parsed().ok_or_else(|| "it is no number of bytes, as 500M, 16G, 2GiB or 4096 are".to_owned())
 }
 
 impl ReadingArgs {
@@ -178,7 +190,7 @@ impl ReadingArgs {
 #[derive(Default)]
 pub(crate) struct FilesRead {
     identities: Vec<Identity>,
-    unpacked_limit: Option<ByteSize>,
+    unpacked_limit: Option<u64>,
     height_property: Option<String>,
     has_faces: bool,
     is_strict: bool,
@@ -200,7 +212,7 @@ impl FilesRead {
             Ok((source, identity)) => {
                 self.identities.extend(identity);
                 let source = match self.unpacked_limit {
-                    Some(ByteSize(bytes)) => source.unpacked_limit(bytes),
+                    Some(bytes) => source.unpacked_limit(bytes),
                     None => source,
                 };
                 Ok(match &self.height_property {

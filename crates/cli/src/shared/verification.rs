@@ -6,14 +6,13 @@ use std::sync::Mutex;
 
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::verify::{Depth, Level, Report, Verifier, Violation, Violations};
+use sweep_cdt::{Error, Triangulation, triangulate};
+use sweep_cdt_engine::{Answer, Runner};
 use sweep_cdt_formats::{Coordinate, GraphFile, Triangles};
 
 use super::glossary::meaning;
 use super::resources::Progress;
 use super::tables::{NAME, NUMBER, grouped};
-
-/// The verifier's answer.
-pub(crate) type Answer = Result<Report, Violations>;
 
 /// Verifies on all cores, with a progress bar where that takes long.
 pub(crate) fn verify<T: Scalar + Sync>(
@@ -32,6 +31,25 @@ pub(crate) fn verify<T: Scalar + Sync>(
     verifier
         .progress(&show)
         .verify_parallel(points, edges, triangles)
+}
+
+/// The library on all cores.
+pub(crate) struct OnAllCores;
+
+impl<T: Scalar + Sync> Runner<T> for OnAllCores {
+    fn triangulate(&self, points: &[[T; 2]], edges: &[[usize; 2]]) -> Result<Triangulation, Error> {
+        triangulate(points, edges)
+    }
+
+    fn verify(
+        &self,
+        verifier: Verifier<'_>,
+        points: &[[T; 2]],
+        edges: &[[usize; 2]],
+        triangles: &[[usize; 3]],
+    ) -> Answer {
+        verify(verifier, points, edges, triangles)
+    }
 }
 
 /// The counts of an answer.
@@ -81,17 +99,18 @@ pub(crate) fn write_verdict(
 
 /// Writes the verdict on a result that is wrong by no more than `max_depth`: one line.
 pub(crate) fn write_rounded(
-    found: usize,
-    greatest: Depth,
+    violations: &Violations,
     [max_depth, what]: [&str; 2],
     [result, input]: [&str; 2],
     out: &mut impl Write,
 ) -> io::Result<()> {
+    let found = violations.found;
     let plural = if found == 1 { "" } else { "s" };
+    let deepest = violations.depth().map_or(0.0, Depth::get);
     writeln!(
         out,
         "up to {max_depth}: {result} is {what} of {input}, but not exactly: \
-         {found} violation{plural}, the deepest by {greatest}"
+         {found} violation{plural}, the deepest by {deepest:.1e}"
     )
 }
 

@@ -2,7 +2,6 @@
 
 use std::path::{Path, PathBuf};
 
-use bytesize::ByteSize;
 use sweep_cdt_stream::external::{Error, Input, InputFormat, Sorting, SweepOrder, open};
 
 use crate::shared::failure::Failure;
@@ -10,7 +9,7 @@ use crate::shared::files::{FileArgument, FilesRead, format_of_input, format_pars
 use crate::shared::resources::Progress;
 
 /// The memory, if it is not given.
-const MEMORY: ByteSize = ByteSize::mib(512);
+const MEMORY: u64 = 512 << 20;
 
 /// Options of what is sorted outside memory.
 #[derive(clap::Args)]
@@ -22,7 +21,7 @@ pub(crate) struct SortArgs {
     /// Memory for sorting, and then a half of it for vertices of a stream that are alive: 200M or 2GiB, for example
     /// [default: 512MiB]
     #[arg(long, value_name = "SIZE", value_parser = size)]
-    pub(crate) memory: Option<ByteSize>,
+    pub(crate) memory: Option<u64>,
 
     /// Folder for temporary files, of which nothing is left in the end [default: that of the system]
     #[arg(long, value_name = "FOLDER")]
@@ -52,7 +51,7 @@ impl Sorted {
 
 impl SortArgs {
     pub(crate) fn memory(&self) -> u64 {
-        self.memory.unwrap_or(MEMORY).as_u64()
+        self.memory.unwrap_or(MEMORY)
     }
 
     /// Refuses these options where the run is none that `option` asks for.
@@ -98,9 +97,9 @@ impl SortArgs {
     pub(super) fn failure(&self, error: &Error) -> Failure {
         Failure::Error(match error {
             Error::TooLittleMemory { memory, needed } => {
-                let (memory, enough) = (ByteSize(*memory), needed.div_ceil(1 << 10));
+                let (memory, enough) = (memory >> 10, needed.div_ceil(1 << 10));
                 format!(
-                    "{memory} of memory do not suffice to sort so much: --memory {enough}KiB does"
+                    "{memory} KiB of memory do not suffice to sort so much: --memory {enough}KiB does"
                 )
             }
             Error::OutOfMemory { .. } => format!("{error} (--memory)"),

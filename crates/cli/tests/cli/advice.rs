@@ -183,12 +183,6 @@ fn the_order_of_corners_is_found() {
         last_line(report),
         "correct: nothing to do; the triangles run clockwise"
     );
-    let asked = verify(&all, "a.json b.json --clockwise");
-    assert_eq!(text(&asked.stdout), report);
-    assert_eq!(
-        text(&asked.stderr),
-        "note: --clockwise is not needed: the order is found\n"
-    );
     let json = verify(&all, "a.json b.json --json");
     let record: Value = serde_json::from_str(printed(&json)).expect("JSON");
     assert_eq!(record["clockwise"], true);

@@ -172,7 +172,14 @@ fn crossings_holes_and_rules() {
         "--split-crossings",
     );
     cases.extend(cases_of_file(folder.path(), "hole.poly", &settings(), ""));
-    for rule in ["hull", "even-odd", "nonzero", "holes"] {
+    for rule in [
+        "hull",
+        "even-odd",
+        "negative",
+        "at-least-2",
+        "holes",
+        "hull-without-holes",
+    ] {
         let mut settings = settings();
         settings["inside"] = json!(rule);
         let flags = format!("--inside {rule}");

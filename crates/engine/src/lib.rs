@@ -1,0 +1,28 @@
+//! What the front ends of [`sweep_cdt`] share: the command, the package for Python, and the page that computes.
+//!
+//! A front end reads an input, asks here, and prints. So a rule has one name everywhere, and all front ends give the same
+//! verdict and the same advice on the same triangles.
+//!
+//! [`Inside`] is a rule by its name, and finds the interior of an [`Input`]. [`Question`] verifies triangles within a
+//! domain, and says what to do where they are wrong ([`Advice`]). [`Settings`] are the algorithm, the front and the
+//! heuristics by their names.
+
+mod advice;
+mod inside;
+mod names;
+mod question;
+mod sentence;
+mod settings;
+mod wanted;
+
+pub use advice::{Advice, Change, Fit, Helpless, How, Setting};
+pub use inside::{Input, Inside};
+pub use names::UnknownName;
+pub use question::{Answer, Question, Runner, Verdict, counts};
+pub use sentence::Words;
+pub use settings::{ALGORITHMS, Choice, FRONTS, FrontKind, HEURISTICS, Settings, chosen};
+
+/// The example of the README, as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
