@@ -8,17 +8,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from . import _native
 from ._input import as_doubles
 
 if TYPE_CHECKING:
     from ._verify import Question
-
-TITLES = {
-    "tiling": "a triangulation",
-    "constrained": "a constrained triangulation",
-    "delaunay": "a constrained Delaunay triangulation",
-    "canonical": "the canonical constrained Delaunay triangulation",
-}
 
 RECORD = np.dtype(
     [
@@ -75,13 +69,7 @@ class Report:
         self.deepest = answer["deepest"]
         self.decades = answer["decades"]
         self.matched = question.matched
-        is_measured = answer["measured"] == answer["found"]
-        if answer["is_right"]:
-            self.verdict = "correct"
-        elif question.max_depth is not None and is_measured and self.deepest <= question.max_depth:
-            self.verdict = "within-max-depth"
-        else:
-            self.verdict = "wrong"
+        self.verdict = answer["verdict"]
 
     def __bool__(self) -> bool:
         return self.verdict != "wrong"
@@ -100,7 +88,7 @@ class Report:
     @property
     def headline(self) -> str:
         """The verdict in words."""
-        what = TITLES[self.level]
+        what = self._answer["title"]
         of = "of the points" if self.domain == "hull" else f"of the interior ({self.domain})"
         found = f"{self.found} violation{'' if self.found == 1 else 's'}"
         if self.verdict == "correct":
@@ -121,9 +109,7 @@ class Report:
 
         What it names was tried, and accepts the result.
         """
-        from ._advice import advice
-
-        return advice(self._question, self)
+        return self._question.ask(_native.advise, self.verdict, self.is_clockwise)
 
     @functools.cached_property
     def violations(self) -> np.ndarray:
