@@ -280,7 +280,7 @@ impl Core {
         Ok(found.into_pyarray(py))
     }
 
-    /// Values at queries, a column for each value of a point; NaN outside of what is inside by a rule. `points` are those
+    /// Values at queries, those of each query one after the other; NaN outside of what is inside by a rule. `points` are those
     /// of the input, of the type of the queries.
     fn interpolate<'py>(
         &self,
@@ -289,7 +289,7 @@ impl Core {
         rule: &str,
         values: PyReadonlyArray2<'_, f64>,
         places: (Points<'_>, Points<'_>),
-    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
         let rule = named(rule)?;
         let graph = input.graph()?;
         let interior = with_graph!(&graph, |graph| {
@@ -301,48 +301,17 @@ impl Core {
         let columns = values.as_array();
         let columns: Vec<Vec<f64>> = columns.columns().into_iter().map(|c| c.to_vec()).collect();
         let (points, queries) = places;
-        let (rows, found) = match (points.view()?, queries.view()?) {
-            (View::Doubles(points), View::Doubles(queries)) => (
-                queries.len(),
-                values_at(py, points, &interior, &columns, queries)?,
-            ),
-            (View::Exact(points), View::Exact(queries)) => (
-                queries.len(),
-                values_at(py, points, &interior, &columns, queries)?,
-            ),
+        let found = match (points.view()?, queries.view()?) {
+            (View::Doubles(points), View::Doubles(queries)) => {
+                values_at(py, points, &interior, &columns, queries)?
+            }
+            (View::Exact(points), View::Exact(queries)) => {
+                values_at(py, points, &interior, &columns, queries)?
+            }
             _ => return Err(refused("points and queries differ in type".to_owned())),
         };
-        found.into_pyarray(py).reshape([rows, columns.len()])
+        Ok(found.into_pyarray(py))
     }
-}
-
-/// The values at each query, one after the other.
-fn values_at<S: Exact + Sync>(
-    py: Python<'_>,
-    points: &[[S; 2]],
-    interior: &Interior<'_>,
-    columns: &[Vec<f64>],
-    queries: &[[S; 2]],
-) -> PyResult<Vec<f64>> {
-    let result = interior.triangulation();
-    call(py, queries.len(), 1, |watch| {
-        let surface = |values: &Vec<f64>| Surface::new(points, interior, values);
-        let surfaces: Vec<_> = columns.iter().map(surface).collect();
-        let mut found = Vec::with_capacity(queries.len() * columns.len());
-        for part in queries.chunks(result.len().max(PART)) {
-            watch.look();
-            let places = result.with_points(points).locate_all(part);
-            let values = surfaces.iter().map(|s| s.heights_of(part, &places));
-            let values: Vec<_> = values.collect();
-            for query in 0..part.len() {
-                let row = values
-                    .iter()
-                    .map(|column| column[query].unwrap_or(f64::NAN));
-                found.extend(row);
-            }
-        }
-        Ok(found)
-    })
 }
 
 /// A triangle with its lowest corner first.
@@ -355,35 +324,76 @@ fn lowest_first(mut corners: [usize; 3]) -> [usize; 3] {
 /// So many points are located at once, or as many as there are triangles; a signal ends the call between.
 const PART: usize = 1 << 16;
 
+/// Values of queries, from where they lie.
+fn by_place<S: Exact + Sync, T: Send>(
+    py: Python<'_>,
+    result: &Triangulation,
+    points: &[[S; 2]],
+    queries: &[[S; 2]],
+    mut values: impl FnMut(&[[S; 2]], Vec<Location>) -> Vec<T> + Send,
+) -> PyResult<Vec<T>> {
+    call(py, queries.len(), 1, |watch| {
+        let view = result.with_points(points);
+        let mut found = Vec::with_capacity(queries.len());
+        // A part takes as long as the triangles are many, at least.
+        for part in queries.chunks(result.len().max(PART)) {
+            watch.look();
+            found.extend(values(part, view.locate_all(part)));
+        }
+        Ok(found)
+    })
+}
+
 impl Core {
-    fn located<S: Scalar + Sync>(
+    fn located<S: Exact + Sync>(
         &self,
         py: Python<'_>,
         points: &[[S; 2]],
         queries: &[[S; 2]],
     ) -> PyResult<Vec<i32>> {
-        let result = &self.result;
-        call(py, queries.len(), 1, |watch| {
-            let view = result.with_points(points);
-            let mut stars = None;
-            let mut found = Vec::with_capacity(queries.len());
-            // A part takes as long as the triangles are many, at least.
-            for part in queries.chunks(result.len().max(PART)) {
-                watch.look();
-                let triangles = view.locate_all(part).into_iter().map(|place| match place {
-                    Location::Triangle(triangle) | Location::Side { triangle, .. } => {
-                        small(triangle)
-                    }
-                    Location::Vertex(v) => {
-                        let stars = stars.get_or_insert_with(|| result.vertex_stars());
-                        let first = stars.star(v).next();
-                        first.map_or(-1, |corner| small(corner.triangle))
-                    }
-                    Location::Outside => -1,
-                });
-                found.extend(triangles);
+        let mut stars = None;
+        let mut triangle = |place| match place {
+            Location::Triangle(triangle) | Location::Side { triangle, .. } => small(triangle),
+            Location::Vertex(v) => {
+                let stars = stars.get_or_insert_with(|| self.result.vertex_stars());
+                let first = stars.star(v).next();
+                first.map_or(-1, |corner| small(corner.triangle))
             }
-            Ok(found)
+            Location::Outside => -1,
+        };
+        by_place(py, &self.result, points, queries, |_, places| {
+            places.into_iter().map(&mut triangle).collect()
         })
     }
+}
+
+/// The values at each query, one after the other.
+fn values_at<S: Exact + Sync>(
+    py: Python<'_>,
+    points: &[[S; 2]],
+    interior: &Interior<'_>,
+    columns: &[Vec<f64>],
+    queries: &[[S; 2]],
+) -> PyResult<Vec<f64>> {
+    let surface = |values: &Vec<f64>| Surface::new(points, interior, values);
+    let surfaces: Vec<_> = columns.iter().map(surface).collect();
+    by_place(
+        py,
+        interior.triangulation(),
+        points,
+        queries,
+        |part, places| {
+            let values = surfaces.iter().map(|s| s.heights_of(part, &places));
+            let values: Vec<Vec<Option<f64>>> = values.collect();
+            let mut rows = Vec::with_capacity(part.len() * values.len());
+            for query in 0..part.len() {
+                rows.extend(
+                    values
+                        .iter()
+                        .map(|column| column[query].unwrap_or(f64::NAN)),
+                );
+            }
+            rows
+        },
+    )
 }

@@ -3,13 +3,13 @@
 use numpy::PyReadonlyArray2;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use sweep_cdt::scalar::Scalar;
 use sweep_cdt::verify::{Depth, Depths, Level, Verifier, Violations};
-use sweep_cdt::{Error, Triangulation};
-use sweep_cdt_engine::{Advice, Answer, Runner, Setting, UnknownName, Verdict, Words};
+use sweep_cdt_engine::{
+    Advice, Answer, Inside, Setting, UnknownName, Verdict, Words, counts, headline,
+};
 use sweep_cdt_formats::Numbering;
 
-use crate::calls::{Watch, call};
+use crate::calls::call;
 use crate::input::{Input, rows, with_graph};
 use crate::rule::{named, unknown};
 use crate::triangulation::plain;
@@ -29,33 +29,6 @@ pub(crate) struct Question {
     threads: usize,
 }
 
-/// The library on so many threads, ended by Ctrl-C.
-struct Run<'a> {
-    threads: usize,
-    watch: &'a Watch,
-}
-
-impl<S: Scalar + Sync> Runner<S> for Run<'_> {
-    fn triangulate(&self, points: &[[S; 2]], edges: &[[usize; 2]]) -> Result<Triangulation, Error> {
-        plain(points, edges, self.threads, self.watch)
-    }
-
-    fn verify(
-        &self,
-        verifier: Verifier<'_>,
-        points: &[[S; 2]],
-        edges: &[[usize; 2]],
-        triangles: &[[usize; 3]],
-    ) -> Answer {
-        let progress = |_, _| self.watch.look();
-        let verifier = verifier.progress(&progress);
-        match self.threads {
-            1 => verifier.verify(points, edges, triangles),
-            _ => verifier.verify_parallel(points, edges, triangles),
-        }
-    }
-}
-
 /// Does work on a question about triangles of an input.
 macro_rules! with_question {
     ($py:expr, $input:expr, $triangles:expr, $question:expr, |$name:ident| $body:expr) => {{
@@ -65,10 +38,16 @@ macro_rules! with_question {
         with_graph!(&graph, |graph| {
             let size = graph.points.len() + triangles.len();
             call($py, size, $question.threads, |watch| {
-                let run = Run {
-                    threads: $question.threads,
-                    watch,
-                };
+                let threads = $question.threads;
+                let verify =
+                    |verifier: Verifier<'_>, points: &[_], edges: &[_], triangles: &[_]| {
+                        let progress = |_, _| watch.look();
+                        let verifier = verifier.progress(&progress);
+                        match threads {
+                            1 => verifier.verify(points, edges, triangles),
+                            _ => verifier.verify_parallel(points, edges, triangles),
+                        }
+                    };
                 let input = graph.asked();
                 let $name = sweep_cdt_engine::Question {
                     input: &input,
@@ -83,7 +62,8 @@ macro_rules! with_question {
                     level,
                     max_depth: $question.max_depth,
                     limit: $question.limit,
-                    runner: &run,
+                    triangulate: &|points, edges| plain(points, edges, threads, watch),
+                    verify: &verify,
                 };
                 $body
             })
@@ -104,8 +84,14 @@ pub(crate) fn verify<'py>(
         let verdict = question.verdict(&answer);
         Ok((answer, verdict))
     });
+    let (rule, level) = (named(&question.rule)?, level(&question.level)?);
+    let input = match rule {
+        Inside::HULL => "the points".to_owned(),
+        rule => format!("the interior ({rule})"),
+    };
+    let headline = headline(&answer, level, question.max_depth, ["this", &input]);
     let described = describe(py, answer, verdict)?;
-    described.set_item("title", level(&question.level)?.title())?;
+    described.set_item("headline", headline)?;
     Ok(described)
 }
 
@@ -134,7 +120,7 @@ pub(crate) fn advise(
             refused: &|error| error.to_string(),
             show: "report.plot() shows",
         };
-        Ok(question.sentence(&advice, &words))
+        Ok(question.sentence(advice, &words))
     });
     Ok(sentence)
 }
@@ -172,9 +158,9 @@ fn describe(py: Python<'_>, answer: Answer, verdict: Verdict) -> PyResult<Bound<
             (*report, list, found, depths)
         }
     };
-    let counts = PyDict::new(py);
-    for (name, count) in sweep_cdt_engine::counts(&report) {
-        counts.set_item(name, count)?;
+    let by_name = PyDict::new(py);
+    for (name, count) in counts(&report) {
+        by_name.set_item(name, count)?;
     }
     let violations = list.into_iter().map(|violation| {
         let offenders = violation.offenders();
@@ -192,7 +178,7 @@ fn describe(py: Python<'_>, answer: Answer, verdict: Verdict) -> PyResult<Bound<
     result.set_item("is_canonical", is_right && report.is_canonical())?;
     result.set_item("is_clockwise", report.clockwise)?;
     result.set_item("reached", report.level.map(Level::name))?;
-    result.set_item("counts", counts)?;
+    result.set_item("counts", by_name)?;
     result.set_item("signs", (report.filtered, report.exact))?;
     result.set_item("found", found)?;
     result.set_item("deepest", depths.greatest.map(Depth::get))?;

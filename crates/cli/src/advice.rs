@@ -26,7 +26,7 @@ pub(crate) fn advice<S: Coordinate, T: Scalar>(
         refused: &refused,
         show: "`--svg wrong.svg` and `--geojson wrong.geojson` show",
     };
-    question.sentence(&question.advice(answer), &words)
+    question.sentence(question.advice(answer), &words)
 }
 
 /// Settings as options.

@@ -8,9 +8,10 @@ use std::str::FromStr;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 use sweep_cdt::scalar::Scalar;
+use sweep_cdt::triangulate;
 use sweep_cdt::verify::Level;
 use sweep_cdt_draw::ViolationsPicture;
-use sweep_cdt_engine::{Input as Asked, Inside, Question, Verdict};
+use sweep_cdt_engine::{Input as Asked, Inside, Question, Verdict, headline};
 use sweep_cdt_formats::{
     Coordinate, GraphFile, Input, Matching, ResultError, WayOut, added_points, write_certificate,
     write_violations,
@@ -28,7 +29,7 @@ use crate::shared::inside::{default_of, expect_suits};
 use crate::shared::outputs::{Destination, Outputs, refuse_read, refuse_twice};
 use crate::shared::places::located_interior;
 use crate::shared::resources::limit_threads;
-use crate::shared::verification::{self, OnAllCores, violations};
+use crate::shared::verification::{self, violations};
 use crate::stream::{SortArgs, verify_stream};
 
 /// Reads the name of a level.
@@ -350,7 +351,8 @@ impl Job for Run<'_> {
             level: arguments.level,
             max_depth: arguments.max_depth,
             limit: arguments.limit,
-            runner: &OnAllCores,
+            triangulate: &triangulate,
+            verify: &verification::verify,
         };
         let answer = question.answer();
         let answer = answer.map_err(|error| given.failure(located_interior(file, error)))?;
@@ -408,17 +410,9 @@ impl Job for Run<'_> {
                 Inside::HULL => input.clone(),
                 rule => interior(rule),
             };
-            match (&answer, arguments.max_depth) {
-                (Err(violations), Some(max)) if verdict == Verdict::WithinMaxDepth => {
-                    let (max, what) = (format!("{max:e}"), arguments.level.title());
-                    let files = [&*result, &*verified];
-                    verification::write_rounded(violations, [&max, what], files, out)?;
-                }
-                _ => {
-                    let level = arguments.level;
-                    verification::write_verdict(&answer, level, &result, &verified, out)?;
-                }
-            }
+            let (level, max_depth) = (arguments.level, arguments.max_depth);
+            let files = [&*result, &*verified];
+            writeln!(out, "{}", headline(&answer, level, max_depth, files))?;
             writeln!(out, "{}", triangles.matched.words())?;
             let report = verification::report(&answer);
             if report.clockwise {

@@ -14,11 +14,12 @@ use sweep_cdt::verify::{Depth, Level, Violation, Violations};
 use sweep_cdt_formats::Coordinate;
 
 use crate::inside::Inside;
-use crate::question::{Answer, Question, Verdict};
+use crate::question::Question;
+use crate::verdict::{Answer, Verdict};
 use crate::wanted::Wanted;
 
 /// What to do.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Advice {
     /// Nothing: the triangles are right. They may all run clockwise.
     Correct {
@@ -29,19 +30,29 @@ pub enum Advice {
     Rounded,
     /// Mend the input, which has no triangulation with its edges.
     Refused(Error),
-    /// Ask with the settings of this fit, which accept the triangles.
+    /// Ask with the settings of this fit.
     Accept(Fit),
-    /// Change the triangles, and then ask with the settings of this fit, if it has any.
-    Change(Change, Fit),
-    /// Remove points from the input that no triangle has: this one is the first of so many. Nothing else is wrong.
-    Remove {
-        /// The position of the first.
-        first: usize,
-        /// How many there are.
-        count: usize,
-    },
-    /// No setting and no change that is known helps.
-    Helpless(Helpless),
+    /// Number corners from 0 instead of 1, and ask with the settings of this fit.
+    NumberFromZero(Fit),
+    /// Turn over the triangles that run the other way round than the others, and ask with the settings of this fit.
+    TurnOver(Several, Fit),
+    /// Remove the points from the input that no triangle has. Nothing else is wrong.
+    Remove(Several),
+    /// Make triangles: there are none.
+    NoTriangles,
+    /// Give the input of these triangles: corners are no points of this one.
+    Strangers,
+    /// Look at the violations: no setting and no change that is known helps. The first one has this name, if it is listed.
+    Look(Option<&'static str>),
+}
+
+/// Triangles or points.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Several {
+    /// The position of the first.
+    pub first: usize,
+    /// How many there are.
+    pub count: usize,
 }
 
 /// How triangles are accepted.
@@ -85,35 +96,19 @@ pub enum Setting {
     Level(Level),
 }
 
-/// A change of the triangles.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Change {
-    /// Number corners from 0 instead of 1.
-    NumberFromZero,
-    /// Turn over those that run the other way round than the others.
-    TurnOver {
-        /// The position of the first.
-        first: usize,
-        /// How many there are.
-        count: usize,
-    },
-}
-
-/// Why nothing helps.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Helpless {
-    /// There are no triangles.
-    NoTriangles,
-    /// Corners are no points of the input.
-    Strangers,
-    /// The first violation has this name, if it is listed.
-    First(Option<&'static str>),
-}
-
 /// Depths up to this one come from rounding doubles.
 pub(crate) const ROUNDING: f64 = 1e-12;
 /// Depths up to this one come from rounding to single precision.
 const SINGLE: f64 = 1e-5;
+
+impl Several {
+    fn of(positions: &[usize]) -> Option<Several> {
+        Some(Several {
+            first: *positions.first()?,
+            count: positions.len(),
+        })
+    }
+}
 
 impl Fit {
     /// The settings that accept the triangles, beside those that were asked for; none, if those do.
@@ -154,7 +149,7 @@ impl<S: Coordinate, T: Scalar> Question<'_, S, T> {
                 .or_else(|| self.turned_over(violations))
                 .or_else(|| self.left_out(violations))
                 .or_else(|| fit.map(Advice::Accept))
-                .unwrap_or_else(|| Advice::Helpless(self.why_helpless(violations))),
+                .unwrap_or_else(|| self.helpless(violations)),
         }
     }
 
@@ -215,10 +210,9 @@ impl<S: Coordinate, T: Scalar> Question<'_, S, T> {
         Ok(rules.into_iter().filter_map(answer).collect())
     }
 
-    /// A change, if the changed triangles are accepted.
-    fn then(&self, change: Change, changed: &[[usize; 3]]) -> Option<Advice> {
-        let fit = self.best_fit(changed).ok().flatten()?;
-        Some(Advice::Change(change, fit))
+    /// How changed triangles are accepted, if they are.
+    fn fit_of(&self, changed: &[[usize; 3]]) -> Option<Fit> {
+        self.best_fit(changed).ok().flatten()
     }
 
     /// Corners that run from 1 to the number of points.
@@ -236,7 +230,7 @@ impl<S: Coordinate, T: Scalar> Question<'_, S, T> {
         }
         let from_zero = |corner: usize| corner.min(count) - 1;
         let changed: Vec<_> = self.triangles.iter().map(|t| t.map(from_zero)).collect();
-        self.then(Change::NumberFromZero, &changed)
+        self.fit_of(&changed).map(Advice::NumberFromZero)
     }
 
     /// Triangles of which some run clockwise.
@@ -251,8 +245,10 @@ impl<S: Coordinate, T: Scalar> Question<'_, S, T> {
         for &triangle in &fewer {
             changed[triangle].swap(1, 2);
         }
-        let (first, count) = (*fewer.first()?, fewer.len());
-        self.then(Change::TurnOver { first, count }, &changed)
+        Some(Advice::TurnOver(
+            Several::of(&fewer)?,
+            self.fit_of(&changed)?,
+        ))
     }
 
     /// Vertices that no triangle has, if nothing else is wrong. Then the proof of the verifier holds for all others.
@@ -263,8 +259,7 @@ impl<S: Coordinate, T: Scalar> Question<'_, S, T> {
         };
         let all = self.all_of(violations, |first| unused(first).is_some())?;
         let all: Vec<usize> = all.iter().map(unused).collect::<Option<_>>()?;
-        let (first, count) = (*all.first()?, all.len());
-        Some(Advice::Remove { first, count })
+        Several::of(&all).map(Advice::Remove)
     }
 
     /// All violations, if the first one is of a kind.
@@ -284,14 +279,14 @@ impl<S: Coordinate, T: Scalar> Question<'_, S, T> {
             .then(|| all(violations.found))?
     }
 
-    fn why_helpless(&self, violations: &Violations) -> Helpless {
+    fn helpless(&self, violations: &Violations) -> Advice {
         let is_stranger = |&corner: &usize| corner >= self.points.len();
         if self.triangles.is_empty() {
-            Helpless::NoTriangles
+            Advice::NoTriangles
         } else if self.triangles.as_flattened().iter().any(is_stranger) {
-            Helpless::Strangers
+            Advice::Strangers
         } else {
-            Helpless::First(violations.list.first().map(Violation::name))
+            Advice::Look(violations.list.first().map(Violation::name))
         }
     }
 }

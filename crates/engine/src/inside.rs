@@ -10,7 +10,7 @@ use sweep_cdt::interior::{FillRule, Interior, InteriorError, Ring};
 use sweep_cdt::{Region, Triangulation};
 use sweep_cdt_formats::{Coordinate, GraphFile};
 
-use crate::names::UnknownName;
+use crate::settings::UnknownName;
 
 /// An input, borrowed: points and edges, and what bounds an interior.
 #[derive(Clone, Debug)]

@@ -9,18 +9,20 @@
 
 mod advice;
 mod inside;
-mod names;
 mod question;
 mod sentence;
 mod settings;
+mod verdict;
 mod wanted;
 
-pub use advice::{Advice, Change, Fit, Helpless, How, Setting};
+pub use advice::{Advice, Fit, How, Setting, Several};
 pub use inside::{Input, Inside};
-pub use names::UnknownName;
-pub use question::{Answer, Question, Runner, Verdict, counts};
+pub use question::{Question, Triangulate, Verify};
 pub use sentence::Words;
-pub use settings::{ALGORITHMS, Choice, FRONTS, FrontKind, HEURISTICS, Settings, chosen};
+pub use settings::{
+    ALGORITHMS, Choice, FRONTS, FrontKind, HEURISTICS, Settings, UnknownName, chosen,
+};
+pub use verdict::{Answer, Verdict, counts, headline};
 
 /// The example of the README, as a test.
 #[cfg(doctest)]

@@ -7,36 +7,19 @@
 
 use sweep_cdt::interior::InteriorError;
 use sweep_cdt::scalar::Scalar;
-use sweep_cdt::verify::{Level, Regions, Report, Verifier, Violations};
+use sweep_cdt::verify::{Level, Regions, Verifier};
 use sweep_cdt::{Error, Triangulation};
 use sweep_cdt_formats::{Coordinate, Numbering, locate_seeds};
 
 use crate::inside::{Input, Inside};
+use crate::verdict::{Answer, Verdict};
 use crate::wanted::Wanted;
 
-/// The answer of the verifier.
-pub type Answer = Result<Report, Violations>;
-
-/// How a front end runs the library: on which threads, and what it shows or asks meanwhile.
-pub trait Runner<T> {
-    /// Triangulates.
-    ///
-    /// # Errors
-    /// Those of the library.
-    fn triangulate(&self, points: &[[T; 2]], edges: &[[usize; 2]]) -> Result<Triangulation, Error>;
-
-    /// Verifies.
-    ///
-    /// # Errors
-    /// The violations.
-    fn verify(
-        &self,
-        verifier: Verifier<'_>,
-        points: &[[T; 2]],
-        edges: &[[usize; 2]],
-        triangles: &[[usize; 3]],
-    ) -> Answer;
-}
+/// Triangulates points and edges, on the threads and with the progress of a front end.
+pub type Triangulate<'a, T> = dyn Fn(&[[T; 2]], &[[usize; 2]]) -> Result<Triangulation, Error> + 'a;
+/// Verifies triangles of points and edges, likewise.
+pub type Verify<'a, T> =
+    dyn Fn(Verifier<'_>, &[[T; 2]], &[[usize; 2]], &[[usize; 3]]) -> Answer + 'a;
 
 /// Triangles, the input that they are verified against, and what is asked of them.
 #[expect(
@@ -69,47 +52,10 @@ pub struct Question<'a, S, T> {
     pub max_depth: Option<f64>,
     /// How many violations are listed.
     pub limit: usize,
-    /// How the library is run.
-    pub runner: &'a dyn Runner<T>,
-}
-
-/// The verdict on triangles.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Verdict {
-    /// They are right.
-    Correct,
-    /// They are wrong, but no violation is deeper than what counts as rounding.
-    WithinMaxDepth,
-    /// They are wrong.
-    Wrong,
-}
-
-impl Verdict {
-    /// The name in records.
-    pub fn name(self) -> &'static str {
-        match self {
-            Verdict::Correct => "correct",
-            Verdict::WithinMaxDepth => "within-max-depth",
-            Verdict::Wrong => "wrong",
-        }
-    }
-}
-
-/// The counts of a report, by the names that they have in records.
-pub fn counts(report: &Report) -> [(&'static str, usize); 11] {
-    [
-        ("points", report.points),
-        ("distinct_points", report.distinct_points),
-        ("edges", report.edges),
-        ("triangles", report.triangles),
-        ("boundary_sides", report.boundary_sides),
-        ("constrained_sides", report.constrained_sides),
-        ("free_sides", report.free_sides),
-        ("cocircular_sides", report.cocircular_sides),
-        ("uncanonical_sides", report.uncanonical_sides),
-        ("added_points", report.added_points),
-        ("split_edges", report.split_edges),
-    ]
+    /// How the library triangulates.
+    pub triangulate: &'a Triangulate<'a, T>,
+    /// How it verifies.
+    pub verify: &'a Verify<'a, T>,
 }
 
 impl<S: Coordinate, T: Scalar> Question<'_, S, T> {
@@ -131,16 +77,7 @@ impl<S: Coordinate, T: Scalar> Question<'_, S, T> {
 
     /// The verdict of an answer.
     pub fn verdict(&self, answer: &Answer) -> Verdict {
-        let Err(violations) = answer else {
-            return Verdict::Correct;
-        };
-        let depth = violations.depth();
-        let is_within =
-            depth.is_some_and(|depth| self.max_depth.is_some_and(|max| depth.get() <= max));
-        match is_within {
-            true => Verdict::WithinMaxDepth,
-            false => Verdict::Wrong,
-        }
+        Verdict::of(answer, self.max_depth)
     }
 
     /// The question with other triangles, another domain, another limit.
@@ -172,20 +109,16 @@ impl<S: Coordinate, T: Scalar> Question<'_, S, T> {
 
     pub(crate) fn in_hull(&self) -> Answer {
         let edges = self.input.edges;
-        let verifier = self.verifier();
-        self.runner
-            .verify(verifier, self.points, edges, self.triangles)
+        (self.verify)(self.verifier(), self.points, edges, self.triangles)
     }
 
     /// The triangulation of the hull of the input's own points, proven right.
     pub(crate) fn hull(&self) -> Result<Triangulation, Error> {
         let own = self.added_from.unwrap_or(self.points.len());
         let (points, edges) = (&self.points[..own], self.input.edges);
-        let hull = self.runner.triangulate(points, edges)?;
+        let hull = (self.triangulate)(points, edges)?;
         let triangles: Vec<[usize; 3]> = hull.triangles().collect();
-        let proof = self
-            .runner
-            .verify(Verifier::new(), points, edges, &triangles);
+        let proof = (self.verify)(Verifier::new(), points, edges, &triangles);
         assert!(proof.is_ok(), "the triangulation of the input is right");
         Ok(hull)
     }
@@ -196,10 +129,7 @@ impl<S: Coordinate, T: Scalar> Question<'_, S, T> {
             points, regions, ..
         } = *self.input;
         let verifier = self.verifier().boundary(&wanted.boundary);
-        let verify = |verifier| {
-            self.runner
-                .verify(verifier, self.points, &wanted.edges, self.triangles)
-        };
+        let verify = |verifier| (self.verify)(verifier, self.points, &wanted.edges, self.triangles);
         let attributes = self.attributes.filter(|_| self.domain.has_regions());
         let answer = match attributes.filter(|_| !regions.is_empty()) {
             None => verify(verifier),

@@ -5,7 +5,7 @@ use sweep_cdt::scalar::Scalar;
 use sweep_cdt::verify::Level;
 use sweep_cdt_formats::Coordinate;
 
-use crate::advice::{Advice, Change, Fit, Helpless, How, ROUNDING, Setting};
+use crate::advice::{Advice, Fit, How, ROUNDING, Setting, Several};
 use crate::inside::Inside;
 use crate::question::Question;
 
@@ -26,47 +26,44 @@ pub struct Words<'a> {
 
 impl<S: Coordinate, T: Scalar> Question<'_, S, T> {
     /// Advice after an answer to this question, in words.
-    pub fn sentence(&self, advice: &Advice, words: &Words<'_>) -> String {
+    pub fn sentence(&self, advice: Advice, words: &Words<'_>) -> String {
+        let and_add = |fit: Fit| match fit.settings() {
+            settings if settings.is_empty() => String::new(),
+            settings => format!(", and add {}", (words.settings)(&settings)),
+        };
+        let (setting, max_depth) = (words.setting, words.max_depth);
+        let look = |why: &str| format!("{why}: {} where it is wrong", words.show);
         match advice {
             Advice::Correct { clockwise: false } => "correct: nothing to do".to_owned(),
             Advice::Correct { clockwise: true } => {
                 "correct: nothing to do; the triangles run clockwise".to_owned()
             }
             Advice::Rounded => {
-                let max_depth = words.max_depth;
                 format!("right but for rounding, as {max_depth} allows: nothing to do")
             }
             Advice::Refused(error) => {
-                let error = (words.refused)(*error);
+                let error = (words.refused)(error);
                 format!("the input has no triangulation with its edges: {error}")
             }
             Advice::Accept(fit) => self.accepted(fit, words),
-            Advice::Change(change, fit) => {
-                let change = self.change(*change);
-                match fit.settings() {
-                    settings if settings.is_empty() => change,
-                    settings => format!("{change}, and add {}", (words.settings)(&settings)),
-                }
+            Advice::NumberFromZero(fit) => {
+                let change = "corners are numbered from 1 and not from 0: subtract 1 from each";
+                change.to_owned() + &and_add(fit)
             }
-            Advice::Remove { first, count } => self.removal(*first, *count),
-            Advice::Helpless(why) => {
-                let setting = words.setting;
-                let why = match why {
-                    Helpless::NoTriangles => "the result has no triangles".to_owned(),
-                    Helpless::Strangers => {
-                        "corners are no vertices of the input: perhaps this is the result of another one".to_owned()
-                    }
-                    Helpless::First(Some(name)) => {
-                        format!("no {setting} accepts this, the first violation is {name}")
-                    }
-                    Helpless::First(None) => format!("no {setting} accepts this"),
-                };
-                format!("{why}: {} where it is wrong", words.show)
-            }
+            Advice::TurnOver(triangles, fit) => self.turning(triangles) + &and_add(fit),
+            Advice::Remove(points) => self.removal(points),
+            Advice::NoTriangles => look("the result has no triangles"),
+            Advice::Strangers => look(
+                "corners are no vertices of the input: perhaps this is the result of another one",
+            ),
+            Advice::Look(Some(name)) => look(&format!(
+                "no {setting} accepts this, the first violation is {name}"
+            )),
+            Advice::Look(None) => look(&format!("no {setting} accepts this")),
         }
     }
 
-    fn accepted(&self, fit: &Fit, words: &Words<'_>) -> String {
+    fn accepted(&self, fit: Fit, words: &Words<'_>) -> String {
         let settings = (words.settings)(&fit.settings());
         let place = match fit.domain {
             None => "",
@@ -110,23 +107,19 @@ impl<S: Coordinate, T: Scalar> Question<'_, S, T> {
         }
     }
 
-    fn change(&self, change: Change) -> String {
-        match change {
-            Change::NumberFromZero => {
-                "corners are numbered from 1 and not from 0: subtract 1 from each".to_owned()
-            }
-            Change::TurnOver { first, count: 1 } => format!(
-                "triangle {} runs the other way round than all others: swap two of its corners",
-                first + self.first_triangle
+    fn turning(&self, Several { first, count }: Several) -> String {
+        let first = first + self.first_triangle;
+        match count {
+            1 => format!(
+                "triangle {first} runs the other way round than all others: swap two of its corners"
             ),
-            Change::TurnOver { first, count } => format!(
-                "{count} triangles run the other way round than the others, the first is {}: swap two corners of each",
-                first + self.first_triangle
+            count => format!(
+                "{count} triangles run the other way round than the others, the first is {first}: swap two corners of each"
             ),
         }
     }
 
-    fn removal(&self, first: usize, count: usize) -> String {
+    fn removal(&self, Several { first, count }: Several) -> String {
         let number = first + self.numbering.vertex;
         let [x, y] = self.input.points[first].each_ref().map(S::text);
         match count {

@@ -1,10 +1,10 @@
 //! Algorithms, search structures of the front and heuristics, by name. They change the time and never the result.
 
+use std::fmt;
+
 use sweep_cdt::front::{FrontSearch, Linear, SkipList};
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::{Algorithm, Error, Heuristics, Triangulation, Triangulator, Watch};
-
-use crate::names::UnknownName;
 
 /// One of several values, by name.
 #[derive(Clone, Copy, Debug)]
@@ -70,6 +70,30 @@ pub enum FrontKind {
     Linear,
 }
 
+/// A name that is not one of those known.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnknownName(String);
+
+impl UnknownName {
+    /// `name` is no `what`; the known ones are these.
+    pub fn new<'a>(
+        what: &str,
+        name: &str,
+        known: impl IntoIterator<Item = &'a str>,
+    ) -> UnknownName {
+        let known = known.into_iter().collect::<Vec<_>>().join(", ");
+        UnknownName(format!("{what} {name:?} is not one of {known}"))
+    }
+}
+
+impl fmt::Display for UnknownName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for UnknownName {}
+
 /// The value of this name; `what` is what messages call it.
 ///
 /// # Errors
@@ -83,11 +107,7 @@ pub enum FrontKind {
 /// assert_eq!(error.to_string(), r#"front "tree" is not one of hash, skip-list, linear"#);
 /// # Ok::<(), sweep_cdt_engine::UnknownName>(())
 /// ```
-pub fn chosen<T: Copy>(
-    what: &'static str,
-    choices: &[Choice<T>],
-    name: &str,
-) -> Result<T, UnknownName> {
+pub fn chosen<T: Copy>(what: &str, choices: &[Choice<T>], name: &str) -> Result<T, UnknownName> {
     let found = choices.iter().find(|choice| choice.name == name);
     let known = choices.iter().map(|choice| choice.name);
     found

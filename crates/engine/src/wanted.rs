@@ -6,7 +6,7 @@ use sweep_cdt::verify::Violation;
 use sweep_cdt_formats::Coordinate;
 
 use crate::inside::{Input, Inside};
-use crate::question::Answer;
+use crate::verdict::Answer;
 
 /// The domain that triangles must fill.
 pub(crate) struct Wanted {

@@ -1,36 +1,13 @@
 //! Rules and settings by name; verdicts within a domain; advice that is followed.
 
 use sweep_cdt::interior::Ring;
-use sweep_cdt::verify::{Level, Verifier};
-use sweep_cdt::{Error, Region, Triangulation, Watch, triangulate};
+use sweep_cdt::verify::Level;
+use sweep_cdt::{Region, Watch, triangulate};
 use sweep_cdt_engine::{
-    ALGORITHMS, Advice, Answer, FRONTS, HEURISTICS, Input, Inside, Question, Runner, Setting,
-    Settings, Verdict, Words, counts,
+    ALGORITHMS, Advice, FRONTS, HEURISTICS, Input, Inside, Question, Setting, Settings, Verdict,
+    Words, counts,
 };
 use sweep_cdt_formats::Numbering;
-
-/// The library on one thread.
-struct Plain;
-
-impl Runner<f64> for Plain {
-    fn triangulate(
-        &self,
-        points: &[[f64; 2]],
-        edges: &[[usize; 2]],
-    ) -> Result<Triangulation, Error> {
-        triangulate(points, edges)
-    }
-
-    fn verify(
-        &self,
-        verifier: Verifier<'_>,
-        points: &[[f64; 2]],
-        edges: &[[usize; 2]],
-        triangles: &[[usize; 3]],
-    ) -> Answer {
-        verifier.verify(points, edges, triangles)
-    }
-}
 
 fn question<'a>(input: &'a Input<'a, f64>, triangles: &'a [[usize; 3]]) -> Question<'a, f64, f64> {
     Question {
@@ -46,7 +23,8 @@ fn question<'a>(input: &'a Input<'a, f64>, triangles: &'a [[usize; 3]]) -> Quest
         level: Level::Delaunay,
         max_depth: None,
         limit: 20,
-        runner: &Plain,
+        triangulate: &triangulate,
+        verify: &|verifier, points, edges, triangles| verifier.verify(points, edges, triangles),
     }
 }
 
@@ -156,16 +134,24 @@ fn attributes_of_regions_are_asked_for_where_the_rule_has_them() {
     let interior = Inside::Holes.interior(&input, &hull).expect("a domain");
     let list: Vec<_> = interior.triangles().collect();
     let mut attributes = vec![7.0; list.len()];
-    let verdict_by = |rule: &str, attributes: &[f64]| {
+    let sentence_by = |rule: &str, attributes: &[f64]| {
         let mut asked = question(&input, &list);
         asked.domain = rule.parse().expect("a rule");
         asked.attributes = Some(attributes);
-        verdict(&asked)
+        sentence(&asked)
     };
-    assert_eq!(verdict_by("holes", &attributes), Verdict::Correct);
+    let right = "correct: nothing to do";
+    assert_eq!(sentence_by("holes", &attributes), right);
     attributes[2] = 0.0;
-    assert_eq!(verdict_by("holes", &attributes), Verdict::Wrong);
-    assert_eq!(verdict_by("even-odd", &attributes), Verdict::Correct);
+    let line =
+        "this is a triangulation, but with wrong attributes of regions: [Level(Tiling)] accepts it";
+    assert_eq!(sentence_by("holes", &attributes), line);
+    // Even-odd knows no regions.
+    assert_eq!(sentence_by("even-odd", &attributes), right);
+    let line = "this is a right triangulation of the interior: [Domain(Edges(EvenOdd))]";
+    assert_eq!(sentence_by("hull", &attributes), line);
+    let line = "this is a right triangulation of the interior: [Domain(Holes)]";
+    assert_eq!(sentence_by("hull", &vec![7.0; list.len()]), line);
 }
 
 #[test]
@@ -215,7 +201,7 @@ fn sentence(question: &Question<'_, f64, f64>) -> String {
         show: "pictures show",
     };
     let answer = question.answer().expect("a domain");
-    question.sentence(&question.advice(&answer), &words)
+    question.sentence(question.advice(&answer), &words)
 }
 
 /// What is advised is done, and accepted.
@@ -312,8 +298,12 @@ fn changes_that_are_advised_make_the_triangles_right() {
     };
     let line = "correct: nothing to do; the triangles run clockwise";
     assert_eq!(turned(&[0, 1, 2, 3]), line);
-    let line = "triangle 3 runs the other way round than all others: swap two of its corners";
-    assert_eq!(turned(&[2]), line);
+    for (reversed, odd) in [(&[2][..], 3), (&[0], 1), (&[1, 2, 3], 1), (&[0, 2, 3], 2)] {
+        let line = format!(
+            "triangle {odd} runs the other way round than all others: swap two of its corners"
+        );
+        assert_eq!(turned(reversed), line);
+    }
     let line = "2 triangles run the other way round than the others, the first is 2: swap two corners of each";
     assert_eq!(turned(&[1, 3]), line);
     let line = "corners are numbered from 1 and not from 0: subtract 1 from each";
@@ -321,6 +311,13 @@ fn changes_that_are_advised_make_the_triangles_right() {
     let line = "vertex 5 of the input, at (2, 1), is used by no triangle, and nothing else is wrong: remove it from the \
                 input, and run the program again";
     assert_eq!(advised(&[[0, 1, 3], [1, 2, 3]]), line);
+    let line = "2 vertices of the input are used by no triangle, the first is 4 at (2, 0.5), and nothing else is wrong: \
+                remove them from the input, and run the program again";
+    let other = [points[0], points[1], points[2], [2.0, 0.5], [2.0, 1.0]];
+    let more = Input::of(&other);
+    let mut asked = question(&more, &[[0, 1, 2]]);
+    asked.numbering = Numbering::FROM_ONE;
+    assert_eq!(sentence(&asked), line);
 
     // Where it can only be told what is wrong.
     let show = ": pictures show where it is wrong";

@@ -36,6 +36,8 @@ class Report:
     ----------
     verdict : {'correct', 'within-max-depth', 'wrong'}
         Of the second, each violation is no deeper than `max_depth`: the report is true.
+    headline : str
+        The verdict in words.
     level, domain : str
         What was asked for.
     reached : str or None
@@ -70,6 +72,7 @@ class Report:
         self.decades = answer["decades"]
         self.matched = question.matched
         self.verdict = answer["verdict"]
+        self.headline = answer["headline"]
 
     def __bool__(self) -> bool:
         return self.verdict != "wrong"
@@ -84,24 +87,6 @@ class Report:
         if self.found > LISTED:
             lines.append(f"and {self.found - LISTED} more")
         return "\n".join([*lines, self.advice])
-
-    @property
-    def headline(self) -> str:
-        """The verdict in words."""
-        what = self._answer["title"]
-        of = "of the points" if self.domain == "hull" else f"of the interior ({self.domain})"
-        found = f"{self.found} violation{'' if self.found == 1 else 's'}"
-        if self.verdict == "correct":
-            canonical = ""
-            if self.level == "delaunay":
-                canonical = ", the canonical one" if self.is_canonical else ", not the canonical one"
-            return f"correct: this is {what} {of}{canonical}"
-        if self.verdict == "wrong":
-            return f"wrong: this is not {what} {of}: {found}"
-        return (
-            f"up to {self._question.max_depth:g}: this is {what} {of}, but not exactly: {found}, "
-            f"the deepest by {self.deepest:.1e}"
-        )
 
     @functools.cached_property
     def advice(self) -> str:

@@ -421,7 +421,8 @@ class Triangulation:
         points, queries, finite, shape = self._queries(xi)
         columns = values.reshape(count, math.prod(rest))
         result = np.full((len(finite), columns.shape[1]), np.nan)
-        result[finite] = self._core.interpolate(self._input, self.rule, columns, (points, queries))
+        found = self._core.interpolate(self._input, self.rule, columns, (points, queries))
+        result[finite] = found.reshape(len(queries), columns.shape[1])
         return result.reshape(shape + rest)
 
     # To other libraries.

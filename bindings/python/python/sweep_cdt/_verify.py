@@ -171,17 +171,11 @@ def _rule_of_result(result: Result, given: Input, is_alone: bool) -> str | None:
         return None
     # A dictionary of `triangle`: with its option `c` the sides of the hull are segments, too.
     try:
-        hull = made(result.own, "hull", False, None, None).convex_hull
+        whole = made(result.own, "hull", False, None, None)
     except Error:
         return "holes"
-    segments = np.sort(result.own.edges.view(np.intp), axis=1)
-    is_closed = np.isin(_numbers(np.sort(hull, axis=1)), _numbers(segments)).all()
+    is_closed = whole.constrained[whole.neighbors < 0].all()
     return "hull-without-holes" if is_closed else "holes"
-
-
-def _numbers(pairs: np.ndarray) -> np.ndarray:
-    """A number for each pair of positions."""
-    return pairs[:, 0].astype(np.int64) * 2**32 + pairs[:, 1]
 
 
 def _own(result: Result, edges: Any, polygons: Any, holes: Any) -> tuple[Input, str]:

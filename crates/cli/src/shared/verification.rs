@@ -5,9 +5,8 @@ use std::io::{self, Write};
 use std::sync::Mutex;
 
 use sweep_cdt::scalar::Scalar;
-use sweep_cdt::verify::{Depth, Level, Report, Verifier, Violation, Violations};
-use sweep_cdt::{Error, Triangulation, triangulate};
-use sweep_cdt_engine::{Answer, Runner};
+use sweep_cdt::verify::{Level, Report, Verifier, Violation};
+use sweep_cdt_engine::Answer;
 use sweep_cdt_formats::{Coordinate, GraphFile, Triangles};
 
 use super::glossary::meaning;
@@ -33,25 +32,6 @@ pub(crate) fn verify<T: Scalar + Sync>(
         .verify_parallel(points, edges, triangles)
 }
 
-/// The library on all cores.
-pub(crate) struct OnAllCores;
-
-impl<T: Scalar + Sync> Runner<T> for OnAllCores {
-    fn triangulate(&self, points: &[[T; 2]], edges: &[[usize; 2]]) -> Result<Triangulation, Error> {
-        triangulate(points, edges)
-    }
-
-    fn verify(
-        &self,
-        verifier: Verifier<'_>,
-        points: &[[T; 2]],
-        edges: &[[usize; 2]],
-        triangles: &[[usize; 3]],
-    ) -> Answer {
-        verify(verifier, points, edges, triangles)
-    }
-}
-
 /// The counts of an answer.
 pub(crate) fn report(answer: &Answer) -> &Report {
     match answer {
@@ -66,52 +46,6 @@ pub(crate) fn violations(answer: &Answer) -> (&[Violation], usize) {
         Ok(_) => (&[], 0),
         Err(violations) => (&violations.list, violations.found),
     }
-}
-
-/// Writes the verdict on a level: one line.
-pub(crate) fn write_verdict(
-    answer: &Answer,
-    level: Level,
-    result: &str,
-    input: &str,
-    out: &mut impl Write,
-) -> io::Result<()> {
-    let what = level.title();
-    match answer {
-        Ok(report) => {
-            write!(out, "correct: {result} is {what} of {input}")?;
-            match (level, report.is_canonical()) {
-                (Level::Delaunay, true) => writeln!(out, ", the canonical one"),
-                (Level::Delaunay, false) => writeln!(out, ", not the canonical one"),
-                _ => writeln!(out),
-            }
-        }
-        Err(violations) => {
-            let found = violations.found;
-            let plural = if found == 1 { "" } else { "s" };
-            writeln!(
-                out,
-                "wrong: {result} is not {what} of {input}: {found} violation{plural}"
-            )
-        }
-    }
-}
-
-/// Writes the verdict on a result that is wrong by no more than `max_depth`: one line.
-pub(crate) fn write_rounded(
-    violations: &Violations,
-    [max_depth, what]: [&str; 2],
-    [result, input]: [&str; 2],
-    out: &mut impl Write,
-) -> io::Result<()> {
-    let found = violations.found;
-    let plural = if found == 1 { "" } else { "s" };
-    let deepest = violations.depth().map_or(0.0, Depth::get);
-    writeln!(
-        out,
-        "up to {max_depth}: {result} is {what} of {input}, but not exactly: \
-         {found} violation{plural}, the deepest by {deepest:.1e}"
-    )
 }
 
 /// The name of the highest level reached.
