@@ -3,15 +3,17 @@
 //! Why no copy is made: Python passes arrays that are contiguous and of the right type, which are borrowed for the call.
 //! NumPy's rule for all its functions holds here too: no other thread may write to an array during the call.
 
+use std::iter;
+
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use numpy::{Element, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::exceptions::PyZeroDivisionError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use sweep_cdt::Pslg;
 use sweep_cdt::interior::Ring;
 use sweep_cdt::scalar::Scalar;
+use sweep_cdt::{Pslg, Region};
 use sweep_cdt_formats::{Coordinate, CoordinateError, MAX_DIGITS, MAX_EXPONENT, quotient};
 
 use crate::errors::{exception, refused};
@@ -140,6 +142,8 @@ pub(crate) struct Input<'py> {
     ring_of: Option<PyReadonlyArray1<'py, i64>>,
     holes: Points<'py>,
     regions: Points<'py>,
+    /// The attribute of each region, if they have attributes.
+    attributes: Vec<f64>,
 }
 
 /// A borrowed input.
@@ -150,7 +154,7 @@ pub(crate) struct Graph<'a, S> {
     pub(crate) rings: Vec<Ring>,
     pub(crate) ring_of: Vec<Option<usize>>,
     pub(crate) holes: &'a [[S; 2]],
-    pub(crate) regions: &'a [[S; 2]],
+    pub(crate) regions: Vec<Region<S>>,
 }
 
 /// A borrowed input in one of the two arithmetics.
@@ -204,7 +208,7 @@ impl Input<'_> {
     }
 
     /// The graph with these coordinates.
-    fn with<'a, S>(
+    fn with<'a, S: Clone>(
         &'a self,
         points: &'a [[S; 2]],
         holes: &'a [[S; 2]],
@@ -220,18 +224,33 @@ impl Input<'_> {
             }
             None => Vec::new(),
         };
+        let attributes = self.attributes.iter().copied().chain(iter::repeat(0.0));
+        let regions = regions.iter().cloned().zip(attributes);
+        let regions = regions.map(|(seed, attribute)| Region { seed, attribute });
         Ok(Graph {
             points,
             edges: rows(&self.edges)?,
             rings: rings.map(ring).collect(),
             ring_of,
             holes,
-            regions,
+            regions: regions.collect(),
         })
     }
 }
 
 impl<S: Scalar> Graph<'_, S> {
+    /// The input as the engine takes it.
+    pub(crate) fn asked(&self) -> sweep_cdt_engine::Input<'_, S> {
+        sweep_cdt_engine::Input {
+            points: self.points,
+            edges: self.edges,
+            holes: self.holes,
+            regions: &self.regions,
+            rings: &self.rings,
+            ring_of: &self.ring_of,
+        }
+    }
+
     /// A copy in doubles, for pictures.
     pub(crate) fn for_pictures(&self) -> Pslg<f64> {
         let doubles = |point: &[S; 2]| point.each_ref().map(S::approx);

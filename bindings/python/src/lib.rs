@@ -43,9 +43,11 @@ mod _native {
     #[pymodule_export]
     use crate::picture::picture;
     #[pymodule_export]
+    use crate::rule::inside;
+    #[pymodule_export]
     use crate::trace::{Steps, trace};
     #[pymodule_export]
     use crate::triangulation::{Core, triangulate, triangulate_inside};
     #[pymodule_export]
-    use crate::verify::verify;
+    use crate::verify::{advise, verify};
 }

@@ -5,9 +5,10 @@ use std::io;
 use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
 use sweep_cdt_draw::ResultPicture;
+use sweep_cdt_engine::Inside;
 
 use crate::input::{Input, with_graph};
-use crate::rule::Rule;
+use crate::rule::named;
 use crate::triangulation::Core;
 
 /// What is written, as text.
@@ -26,16 +27,17 @@ pub(crate) fn picture(
     rule: &str,
     png: bool,
 ) -> PyResult<Vec<u8>> {
-    let rule = Rule::named(rule)?;
+    let rule = named(rule)?;
     let graph = input.graph()?;
     let result = &core.get().result;
     with_graph!(&graph, |graph| {
         let drawn = py.detach(|| {
             let pslg = graph.for_pictures();
-            let interior = rule.interior(graph, result);
+            let asked = graph.asked();
+            let interior = rule.interior(&asked, result);
             let picture = ResultPicture::new(&pslg, result);
             let picture = match &interior {
-                Ok(interior) if rule != Rule::Hull => picture.interior(interior),
+                Ok(interior) if rule != Inside::HULL => picture.interior(interior),
                 _ => picture,
             };
             let mut out = Vec::new();

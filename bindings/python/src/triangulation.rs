@@ -1,16 +1,19 @@
 //! The triangulation, and its parts as arrays, which NumPy takes over without a copy.
 
-use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
+use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2};
 use pyo3::prelude::*;
+use sweep_cdt::crossings::Exact;
 use sweep_cdt::interior::Interior;
 use sweep_cdt::scalar::Scalar;
-use sweep_cdt::{Bands, Location, Triangulation, Triangulator};
+use sweep_cdt::{Bands, Error, Location, Triangulation, Triangulator};
+use sweep_cdt_engine::{Inside as Rule, Settings};
+use sweep_cdt_terrain::Surface;
 
 use crate::calls::{Watch, call};
-use crate::errors::{Fault, refused};
+use crate::errors::refused;
 use crate::input::{Input, Points, View, with_graph};
-use crate::measure::{self, Settings};
-use crate::rule::Rule;
+use crate::measure;
+use crate::rule::{named, unknown};
 
 /// A triangulation, and which of its triangles are inside.
 #[pyclass(frozen, module = "sweep_cdt._native")]
@@ -67,8 +70,11 @@ pub(crate) fn triangulate(
     threads: usize,
     settings: Option<(String, String, String)>,
 ) -> PyResult<Core> {
-    let rule = Rule::named(rule)?;
-    let settings = settings.map(Settings::named).transpose()?;
+    let rule = named(rule)?;
+    let settings = settings
+        .map(|(front, heuristics, algorithm)| Settings::named(&algorithm, &front, &heuristics))
+        .transpose()
+        .map_err(unknown)?;
     let graph = input.graph()?;
     with_graph!(&graph, |graph| {
         let size = graph.points.len() + graph.edges.len();
@@ -81,8 +87,8 @@ pub(crate) fn triangulate(
                 None => (plain(graph.points, graph.edges, threads, watch)?, None),
             };
             let inside = match rule {
-                Rule::Hull => None,
-                rule => Some(Inside::of(&rule.interior(graph, &result)?)),
+                Rule::HULL => None,
+                rule => Some(Inside::of(&rule.interior(&graph.asked(), &result)?)),
             };
             Ok(Core {
                 result,
@@ -100,7 +106,7 @@ pub(crate) fn triangulate_inside<'py>(
     input: Input<'_>,
     rule: &str,
 ) -> PyResult<Bound<'py, PyArray2<i32>>> {
-    let Some(rule) = Rule::named(rule)?.of_edges() else {
+    let Rule::Edges(rule) = named(rule)? else {
         return Err(refused(format!(
             "the rule {rule:?} asks for more than edges"
         )));
@@ -116,18 +122,18 @@ pub(crate) fn triangulate_inside<'py>(
     table(py, list)
 }
 
-fn plain<S: Scalar + Sync>(
+pub(crate) fn plain<S: Scalar + Sync>(
     points: &[[S; 2]],
     edges: &[[usize; 2]],
     threads: usize,
     watch: &Watch,
-) -> Result<Triangulation, Fault> {
+) -> Result<Triangulation, Error> {
     if threads != 1 {
-        return Ok(Triangulator::new().triangulate_parallel(points, edges, Bands::new())?);
+        return Triangulator::new().triangulate_parallel(points, edges, Bands::new());
     }
     let mut progress = |_, _| watch.look();
     let shown = sweep_cdt::Watch::new().progress(&mut progress);
-    Ok(Triangulator::new().run(points, edges, shown)?)
+    Triangulator::new().run(points, edges, shown)
 }
 
 /// An array of `N` columns.
@@ -247,10 +253,10 @@ impl Core {
         input: Input<'_>,
         rule: &str,
     ) -> PyResult<Vec<Bound<'py, PyArray1<i32>>>> {
-        let rule = Rule::named(rule)?;
+        let rule = named(rule)?;
         let graph = input.graph()?;
         let chains = with_graph!(&graph, |graph| call(py, self.result.len(), 1, |_| {
-            Ok(rule.interior(graph, &self.result)?.boundary())
+            Ok(rule.interior(&graph.asked(), &self.result)?.boundary())
         })?);
         let array = |chain: Vec<usize>| {
             let chain: Vec<i32> = chain.into_iter().map(small).collect();
@@ -273,6 +279,39 @@ impl Core {
         };
         Ok(found.into_pyarray(py))
     }
+
+    /// Values at queries, those of each query one after the other; NaN outside of what is inside by a rule. `points` are those
+    /// of the input, of the type of the queries.
+    fn interpolate<'py>(
+        &self,
+        py: Python<'py>,
+        input: Input<'_>,
+        rule: &str,
+        values: PyReadonlyArray2<'_, f64>,
+        places: (Points<'_>, Points<'_>),
+    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let rule = named(rule)?;
+        let graph = input.graph()?;
+        let interior = with_graph!(&graph, |graph| {
+            let asked = graph.asked();
+            call(py, self.result.len(), 1, |_| {
+                Ok(rule.interior(&asked, &self.result)?)
+            })?
+        });
+        let columns = values.as_array();
+        let columns: Vec<Vec<f64>> = columns.columns().into_iter().map(|c| c.to_vec()).collect();
+        let (points, queries) = places;
+        let found = match (points.view()?, queries.view()?) {
+            (View::Doubles(points), View::Doubles(queries)) => {
+                values_at(py, points, &interior, &columns, queries)?
+            }
+            (View::Exact(points), View::Exact(queries)) => {
+                values_at(py, points, &interior, &columns, queries)?
+            }
+            _ => return Err(refused("points and queries differ in type".to_owned())),
+        };
+        Ok(found.into_pyarray(py))
+    }
 }
 
 /// A triangle with its lowest corner first.
@@ -285,35 +324,76 @@ fn lowest_first(mut corners: [usize; 3]) -> [usize; 3] {
 /// So many points are located at once, or as many as there are triangles; a signal ends the call between.
 const PART: usize = 1 << 16;
 
+/// Values of queries, from where they lie.
+fn by_place<S: Exact + Sync, T: Send>(
+    py: Python<'_>,
+    result: &Triangulation,
+    points: &[[S; 2]],
+    queries: &[[S; 2]],
+    mut values: impl FnMut(&[[S; 2]], Vec<Location>) -> Vec<T> + Send,
+) -> PyResult<Vec<T>> {
+    call(py, queries.len(), 1, |watch| {
+        let view = result.with_points(points);
+        let mut found = Vec::with_capacity(queries.len());
+        // A part takes as long as the triangles are many, at least.
+        for part in queries.chunks(result.len().max(PART)) {
+            watch.look();
+            found.extend(values(part, view.locate_all(part)));
+        }
+        Ok(found)
+    })
+}
+
 impl Core {
-    fn located<S: Scalar + Sync>(
+    fn located<S: Exact + Sync>(
         &self,
         py: Python<'_>,
         points: &[[S; 2]],
         queries: &[[S; 2]],
     ) -> PyResult<Vec<i32>> {
-        let result = &self.result;
-        call(py, queries.len(), 1, |watch| {
-            let view = result.with_points(points);
-            let mut stars = None;
-            let mut found = Vec::with_capacity(queries.len());
-            // A part takes as long as the triangles are many, at least.
-            for part in queries.chunks(result.len().max(PART)) {
-                watch.look();
-                let triangles = view.locate_all(part).into_iter().map(|place| match place {
-                    Location::Triangle(triangle) | Location::Side { triangle, .. } => {
-                        small(triangle)
-                    }
-                    Location::Vertex(v) => {
-                        let stars = stars.get_or_insert_with(|| result.vertex_stars());
-                        let first = stars.star(v).next();
-                        first.map_or(-1, |(triangle, _)| small(triangle))
-                    }
-                    Location::Outside => -1,
-                });
-                found.extend(triangles);
+        let mut stars = None;
+        let mut triangle = |place| match place {
+            Location::Triangle(triangle) | Location::Side { triangle, .. } => small(triangle),
+            Location::Vertex(v) => {
+                let stars = stars.get_or_insert_with(|| self.result.vertex_stars());
+                let first = stars.star(v).next();
+                first.map_or(-1, |(triangle, _)| small(triangle))
             }
-            Ok(found)
+            Location::Outside => -1,
+        };
+        by_place(py, &self.result, points, queries, |_, places| {
+            places.into_iter().map(&mut triangle).collect()
         })
     }
+}
+
+/// The values at each query, one after the other.
+fn values_at<S: Exact + Sync>(
+    py: Python<'_>,
+    points: &[[S; 2]],
+    interior: &Interior<'_>,
+    columns: &[Vec<f64>],
+    queries: &[[S; 2]],
+) -> PyResult<Vec<f64>> {
+    let surface = |values: &Vec<f64>| Surface::new(points, interior, values);
+    let surfaces: Vec<_> = columns.iter().map(surface).collect();
+    by_place(
+        py,
+        interior.triangulation(),
+        points,
+        queries,
+        |part, places| {
+            let values = surfaces.iter().map(|s| s.heights_of(part, &places));
+            let values: Vec<Vec<Option<f64>>> = values.collect();
+            let mut rows = Vec::with_capacity(part.len() * values.len());
+            for query in 0..part.len() {
+                rows.extend(
+                    values
+                        .iter()
+                        .map(|column| column[query].unwrap_or(f64::NAN)),
+                );
+            }
+            rows
+        },
+    )
 }

@@ -1,23 +1,18 @@
-//! The verifier: are these triangles a constrained Delaunay triangulation of this input?
-//!
-//! By the hull the triangles are verified as they are. By another rule the input is triangulated here, and that
-//! triangulation is proven right first: it tells the boundary of the interior and the edges in it, for which the verifier
-//! then asks the result, as the command does.
+//! The verifier: are these triangles a constrained Delaunay triangulation of this input? And what is to be done if not?
 
 use numpy::PyReadonlyArray2;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use sweep_cdt::Triangulator;
-use sweep_cdt::scalar::Scalar;
-use sweep_cdt::verify::{Depths, Level, Report, Verifier, Violation, Violations};
-use sweep_cdt_formats::locate_seeds;
+use sweep_cdt::verify::{Depth, Depths, Level, Verifier, Violations};
+use sweep_cdt_engine::{
+    Advice, Answer, Inside, Setting, UnknownName, Verdict, Words, counts, headline,
+};
+use sweep_cdt_formats::Numbering;
 
-use crate::calls::{Watch, call};
-use crate::errors::{Fault, refused};
-use crate::input::{Graph, Input, rows, with_graph};
-use crate::rule::Rule;
-
-type Answer = Result<Report, Violations>;
+use crate::calls::call;
+use crate::input::{Input, rows, with_graph};
+use crate::rule::{named, unknown};
+use crate::triangulation::plain;
 
 /// What is asked of the triangles.
 #[derive(FromPyObject)]
@@ -25,16 +20,58 @@ type Answer = Result<Report, Violations>;
 pub(crate) struct Question {
     rule: String,
     level: String,
+    max_depth: Option<f64>,
     /// How many points are the input's own, if there are others.
     added_from: Option<usize>,
-    all_depths: bool,
     limit: usize,
-    /// The attribute of each triangle, and of each region of the input.
-    attributes: Option<(Vec<f64>, Vec<f64>)>,
+    /// The attribute of each triangle, if the input has regions with attributes.
+    attributes: Option<Vec<f64>>,
     threads: usize,
 }
 
-/// Verifies. Returns counts, depths and violations by name.
+/// Does work on a question about triangles of an input.
+macro_rules! with_question {
+    ($py:expr, $input:expr, $triangles:expr, $question:expr, |$name:ident| $body:expr) => {{
+        let (rule, level) = (named(&$question.rule)?, level(&$question.level)?);
+        let triangles = rows(&$triangles)?;
+        let graph = $input.graph()?;
+        with_graph!(&graph, |graph| {
+            let size = graph.points.len() + triangles.len();
+            call($py, size, $question.threads, |watch| {
+                let threads = $question.threads;
+                let verify =
+                    |verifier: Verifier<'_>, points: &[_], edges: &[_], triangles: &[_]| {
+                        let progress = |_, _| watch.look();
+                        let verifier = verifier.progress(&progress);
+                        match threads {
+                            1 => verifier.verify(points, edges, triangles),
+                            _ => verifier.verify_parallel(points, edges, triangles),
+                        }
+                    };
+                let input = graph.asked();
+                let $name = sweep_cdt_engine::Question {
+                    input: &input,
+                    points: graph.points,
+                    added_from: $question.added_from,
+                    numbering: Numbering::default(),
+                    triangles,
+                    first_triangle: 0,
+                    strangers: &[],
+                    attributes: $question.attributes.as_deref(),
+                    domain: rule,
+                    level,
+                    max_depth: $question.max_depth,
+                    limit: $question.limit,
+                    triangulate: &|points, edges| plain(points, edges, threads, watch),
+                    verify: &verify,
+                };
+                $body
+            })
+        })?
+    }};
+}
+
+/// Verifies. Returns the verdict, counts, depths and violations by name.
 #[pyfunction]
 pub(crate) fn verify<'py>(
     py: Python<'py>,
@@ -42,138 +79,71 @@ pub(crate) fn verify<'py>(
     triangles: PyReadonlyArray2<'_, usize>,
     question: Question,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let rule = Rule::named(&question.rule)?;
-    let level = level(&question.level)?;
-    let triangles = rows(&triangles)?;
-    let graph = input.graph()?;
-    let answer = with_graph!(&graph, |graph| {
-        let size = graph.points.len() + triangles.len();
-        call(py, size, question.threads, |watch| {
-            let progress = |_, _| watch.look();
-            let verifier = Verifier::new()
-                .accept_clockwise(true)
-                .level(level)
-                .all_depths(question.all_depths)
-                .limit(question.limit)
-                .progress(&progress);
-            let verifier = match question.added_from {
-                Some(own) => verifier.added_from(own),
-                None => verifier,
-            };
-            match rule {
-                Rule::Hull => Ok(run(
-                    verifier,
-                    graph.points,
-                    graph.edges,
-                    triangles,
-                    &question,
-                )),
-                rule => inside(rule, graph, triangles, verifier, &question, watch),
-            }
-        })
-    })?;
-    describe(py, answer)
+    let (answer, verdict) = with_question!(py, input, triangles, question, |question| {
+        let answer = question.answer()?;
+        let verdict = question.verdict(&answer);
+        Ok((answer, verdict))
+    });
+    let (rule, level) = (named(&question.rule)?, level(&question.level)?);
+    let input = match rule {
+        Inside::HULL => "the points".to_owned(),
+        rule => format!("the interior ({rule})"),
+    };
+    let headline = headline(&answer, level, question.max_depth, ["this", &input]);
+    let described = describe(py, answer, verdict)?;
+    described.set_item("headline", headline)?;
+    Ok(described)
+}
+
+/// What to do, in words, after triangles have got a verdict, and may run clockwise.
+#[pyfunction]
+pub(crate) fn advise(
+    py: Python<'_>,
+    input: Input<'_>,
+    triangles: PyReadonlyArray2<'_, usize>,
+    question: Question,
+    verdict: &str,
+    clockwise: bool,
+) -> PyResult<String> {
+    let sentence = with_question!(py, input, triangles, question, |question| {
+        let advice = if verdict == Verdict::Correct.name() {
+            Advice::Correct { clockwise }
+        } else if verdict == Verdict::WithinMaxDepth.name() {
+            Advice::Rounded
+        } else {
+            question.advice(&question.answer()?)
+        };
+        let words = Words {
+            setting: "argument",
+            max_depth: "max_depth",
+            settings: &arguments,
+            refused: &|error| error.to_string(),
+            show: "report.plot() shows",
+        };
+        Ok(question.sentence(advice, &words))
+    });
+    Ok(sentence)
+}
+
+/// Settings as arguments.
+fn arguments(settings: &[Setting]) -> String {
+    let argument = |setting: &Setting| match setting {
+        Setting::Domain(rule) => format!("domain=\"{rule}\""),
+        Setting::MaxDepth(depth) => format!("max_depth={depth:e}"),
+        Setting::Level(level) => format!("level=\"{}\"", level.name()),
+    };
+    let arguments: Vec<String> = settings.iter().map(argument).collect();
+    arguments.join(", ")
 }
 
 fn level(name: &str) -> PyResult<Level> {
     let found = Level::ALL.into_iter().find(|level| level.name() == name);
-    found.ok_or_else(|| {
-        let names = Level::ALL.map(Level::name).join(", ");
-        refused(format!("level {name:?} is not one of {names}"))
-    })
-}
-
-fn run<S: Scalar + Sync>(
-    verifier: Verifier<'_>,
-    points: &[[S; 2]],
-    edges: &[[usize; 2]],
-    triangles: &[[usize; 3]],
-    question: &Question,
-) -> Answer {
-    match question.threads {
-        1 => verifier.verify(points, edges, triangles),
-        _ => verifier.verify_parallel(points, edges, triangles),
-    }
-}
-
-/// Verifies that triangles fill the interior by a rule.
-fn inside<S: Scalar + Sync + Clone>(
-    rule: Rule,
-    graph: &Graph<'_, S>,
-    triangles: &[[usize; 3]],
-    verifier: Verifier<'_>,
-    question: &Question,
-    watch: &Watch,
-) -> Result<Answer, Fault> {
-    // The hull of the input's own points, proven right.
-    let own = question.added_from.unwrap_or(graph.points.len());
-    let points = &graph.points[..own.min(graph.points.len())];
-    let mut progress = |_, _| watch.look();
-    let shown = sweep_cdt::Watch::new().progress(&mut progress);
-    let hull = Triangulator::new().run(points, graph.edges, shown)?;
-    let own_triangles: Vec<[usize; 3]> = hull.triangles().collect();
-    let proof = run(
-        Verifier::new(),
-        points,
-        graph.edges,
-        &own_triangles,
-        question,
-    );
-    assert!(proof.is_ok(), "the triangulation of the input is right");
-
-    let interior = rule.interior(graph, &hull)?;
-    let boundary = interior.boundary();
-    let sorted = |[a, b]: [usize; 2]| [a.min(b), a.max(b)];
-    let mut sides: Vec<[usize; 2]> = interior.constrained_sides().map(sorted).collect();
-    sides.sort_unstable();
-    let is_in = |side: &[usize; 2]| sides.binary_search(&sorted(*side)).is_ok();
-    // The edges in it; of an edge that is in it in part, these parts. And the number of the edge of each.
-    let (mut edges, mut numbers) = (Vec::new(), Vec::new());
-    for (number, &edge) in graph.edges.iter().enumerate() {
-        let chain: Vec<usize> = hull.edge_chain(number).collect();
-        let parts = chain.windows(2).map(|part| [part[0], part[1]]);
-        if parts.clone().all(|part| is_in(&part)) {
-            edges.push(edge);
-            numbers.push(number);
-        } else {
-            edges.extend(parts.filter(is_in));
-            numbers.resize(edges.len(), number);
-        }
-    }
-
-    let verifier = verifier.boundary(&boundary);
-    let is_seeded = matches!(rule, Rule::Holes | Rule::HullWithoutHoles);
-    let mut answer = match &question.attributes {
-        Some((of_triangles, of_regions)) if is_seeded && !graph.regions.is_empty() => {
-            let places = locate_seeds(graph.points, triangles, graph.regions).into_iter();
-            let seeds = places.zip(of_regions);
-            let seeds: Vec<(usize, f64)> = seeds
-                .filter_map(|(place, &attribute)| Some((place?, attribute)))
-                .collect();
-            let verifier = verifier.regions(of_triangles, &seeds);
-            run(verifier, graph.points, &edges, triangles, question)
-        }
-        _ => run(verifier, graph.points, &edges, triangles, question),
-    };
-    let report = match &mut answer {
-        Ok(report) => report,
-        Err(violations) => {
-            for violation in &mut violations.list {
-                if let Violation::MissingEdge { edge, .. } | Violation::BentEdge { edge, .. } =
-                    violation
-                {
-                    *edge = numbers[*edge];
-                }
-            }
-            &mut *violations.report
-        }
-    };
-    report.edges = graph.edges.len();
-    Ok(answer)
+    let known = Level::ALL.map(Level::name);
+    found.ok_or_else(|| unknown(UnknownName::new("level", name, known)))
 }
 
 /// The answer as a dictionary.
-fn describe(py: Python<'_>, answer: Answer) -> PyResult<Bound<'_, PyDict>> {
+fn describe(py: Python<'_>, answer: Answer, verdict: Verdict) -> PyResult<Bound<'_, PyDict>> {
     let is_right = answer.is_ok();
     let (report, list, found, depths) = match answer {
         Ok(report) => (report, Vec::new(), 0, Depths::default()),
@@ -188,46 +158,30 @@ fn describe(py: Python<'_>, answer: Answer) -> PyResult<Bound<'_, PyDict>> {
             (*report, list, found, depths)
         }
     };
-    let counts = PyDict::new(py);
-    for (name, count) in [
-        ("points", report.points),
-        ("distinct_points", report.distinct_points),
-        ("edges", report.edges),
-        ("triangles", report.triangles),
-        ("boundary_sides", report.boundary_sides),
-        ("constrained_sides", report.constrained_sides),
-        ("free_sides", report.free_sides),
-        ("cocircular_sides", report.cocircular_sides),
-        ("uncanonical_sides", report.uncanonical_sides),
-        ("added_points", report.added_points),
-        ("split_edges", report.split_edges),
-    ] {
-        counts.set_item(name, count)?;
+    let by_name = PyDict::new(py);
+    for (name, count) in counts(&report) {
+        by_name.set_item(name, count)?;
     }
     let violations = list.into_iter().map(|violation| {
         let offenders = violation.offenders();
         (
             violation.name(),
             violation.to_string(),
-            violation.depth().map(sweep_cdt::verify::Depth::get),
+            violation.depth().map(Depth::get),
             offenders.vertices,
             offenders.edges,
             offenders.triangles,
         )
     });
     let result = PyDict::new(py);
-    result.set_item("is_right", is_right)?;
+    result.set_item("verdict", verdict.name())?;
     result.set_item("is_canonical", is_right && report.is_canonical())?;
     result.set_item("is_clockwise", report.clockwise)?;
     result.set_item("reached", report.level.map(Level::name))?;
-    result.set_item("counts", counts)?;
+    result.set_item("counts", by_name)?;
     result.set_item("signs", (report.filtered, report.exact))?;
     result.set_item("found", found)?;
-    result.set_item("measured", depths.measured())?;
-    result.set_item(
-        "deepest",
-        depths.greatest.map(sweep_cdt::verify::Depth::get),
-    )?;
+    result.set_item("deepest", depths.greatest.map(Depth::get))?;
     result.set_item("decades", depths.decades)?;
     result.set_item("violations", violations.collect::<Vec<_>>())?;
     Ok(result)

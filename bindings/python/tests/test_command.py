@@ -115,35 +115,3 @@ def test_verdicts(files, question, triangles, is_own, flips, domain, level, max_
     assert [str(name) for name in report.violations["name"]] == [v["class"] for v in theirs["violations"]]
     assert [str(m) for m in report.violations["message"]] == [v["message"] for v in theirs["violations"]]
     assert {**report.counts} == theirs["counts"]
-
-
-def changed(triangles, points, change):
-    """Right triangles, changed in one way."""
-    if change == "turned":
-        return [triangles[0][::-1], *triangles[1:]]
-    if change == "from 1":
-        return [[v + 1 for v in t] for t in triangles]
-    if change == "another point":
-        points.append((2, 1))
-    return triangles[1:] if change == "left out" else triangles
-
-
-@shared
-@given(question=inputs(SMALL), change=st.sampled_from(["turned", "from 1", "another point", "left out", "none"]))
-def test_the_last_line(files, question, change):
-    points, edges = question
-    triangles = changed(own, points, change) if (own := ours(points, edges)) else [[0, 1, 2]]
-    files.write("in.json", points=points, edges=edges)
-    files.write("result.json", triangles=triangles)
-    theirs = files.run("verify", "in.json", "result.json").stdout.strip().splitlines()
-    if theirs:
-        advice = sweep_cdt.verify(points, triangles, edges).advice
-        # The words are the same but for the names of options, the places of vertices, and where to look.
-        assert advice.split(":")[0].split(" (")[0].split(" is used")[0] == plain(theirs[-1])
-
-
-def plain(line):
-    """A line of the command in the words of the package, up to its first colon."""
-    line = line.replace("no option accepts", "no argument accepts").replace("this format counts from 0", "not from 0")
-    line = line.split(":")[0].split(" (")[0].split(", at")[0]
-    return line

@@ -210,7 +210,7 @@ def test_rules_for_what_is_inside():
     assert area(inside="at-least-2") == 4
     assert area(holes=[[2, 2]]) == area(holes=[[2, 2]], inside="hull-without-holes") == 12
     assert area(inside="holes") == 16
-    with pytest.raises(ValueError, match='there is no rule "odd"'):
+    with pytest.raises(ValueError, match='rule "odd" is not one of'):
         area(inside="odd")
     with pytest.raises(sweep_cdt.Error, match="no polygons"):
         area(inside="polygons")
@@ -254,6 +254,23 @@ def test_interpolation_is_linear():
     assert np.abs(found[held, 1] - queries[held, 0]).max() < 1e-12
     with pytest.raises(sweep_cdt.ShapeError):
         result.interpolate([1, 2], queries)
+
+
+def test_interpolation_is_exact_at_corners_and_in_slivers():
+    # In doubles the weights in this triangle have no digit.
+    result = sweep_cdt.triangulate([[0.1, 0.1], [0.7, 0.7], [0.3, 0.30000000000000004]])
+    found = result.interpolate([1, 2, 3], [*result.points, [0.2, 0.2], [0.3, 0.3]])
+    assert found[:3].tolist() == [1, 2, 3] and np.allclose(found[3:], [7 / 6, 4 / 3])
+    outline, hole = [[0, 0], [9, 0], [9, 9], [0, 9]], [[3, 3], [6, 3], [6, 6], [3, 6]]
+    result = sweep_cdt.triangulate([], polygons=[[outline, hole]])
+    found = result.interpolate(result.points @ [1, 10], [*hole, [3, 4], [6, 4.5], [4, 4]])
+    assert found[:-1].tolist() == [33, 36, 66, 63, 43, 51] and np.isnan(found[-1])
+    # Queries of another kind than the points.
+    third = Fraction(1, 3)
+    assert result.interpolate(result.points @ [3, 0], [[third, 1]]).tolist() == [1]
+    exact = sweep_cdt.triangulate([[0, 0], [third, 0], [0, third]])
+    found = exact.interpolate([[0, 1], [1, 1], [0, 1]], [[0.25, 0], [np.nan, 0], [9, 9]])
+    assert np.allclose(found[0], [0.75, 1]) and np.isnan(found[1:]).all()
 
 
 def test_pictures():

@@ -105,7 +105,7 @@ def test_points_that_are_left_out():
     points, result = random_result()
     twice = np.concatenate([points, [[0.5, 0.5]]])
     report = sweep_cdt.verify(twice, result.simplices)
-    assert not report and "vertex 500 of the input is used by no triangle" in report.advice
+    assert not report and "vertex 500 of the input, at (0.5, 0.5), is used by no triangle" in report.advice
 
 
 def test_no_triangles():

@@ -6,13 +6,13 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use hmac_sha256::Hash;
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 use serde_json::value::RawValue;
 use sweep_cdt::verify::{Depth, Depths};
+use sweep_cdt_engine::{Answer, Inside, Verdict, counts};
 use sweep_cdt_formats::{Coordinate, GraphFile, Source, Triangles, json_coordinate};
 
-use crate::shared::inside::Inside;
-use crate::shared::verification::{Answer, reached, report, violations};
+use crate::shared::verification::{reached, report, violations};
 
 /// A file by name and contents.
 #[derive(Serialize)]
@@ -46,8 +46,7 @@ pub(crate) struct Subject<'a, S> {
     pub(crate) level: &'static str,
     pub(crate) steiner: bool,
     pub(crate) max_depth: Option<f64>,
-    /// Whether the result is wrong by no more than that.
-    pub(crate) is_within: bool,
+    pub(crate) verdict: Verdict,
     pub(crate) file: &'a GraphFile<S>,
     pub(crate) triangles: &'a Triangles,
 }
@@ -69,7 +68,8 @@ struct Record<'a> {
     clockwise: bool,
     steiner: bool,
     max_depth: Option<f64>,
-    counts: Counts,
+    #[serde(serialize_with = "by_name")]
+    counts: [(&'static str, usize); 11],
     signs: Signs,
     violations_found: usize,
     depths: Measured,
@@ -83,21 +83,6 @@ struct MatchedBy {
     because: &'static str,
     /// None without coordinates.
     greatest_difference: Option<Box<RawValue>>,
-}
-
-#[derive(Serialize)]
-struct Counts {
-    points: usize,
-    distinct_points: usize,
-    edges: usize,
-    triangles: usize,
-    boundary_sides: usize,
-    constrained_sides: usize,
-    free_sides: usize,
-    cocircular_sides: usize,
-    uncanonical_sides: usize,
-    added_points: usize,
-    split_edges: usize,
 }
 
 #[derive(Serialize)]
@@ -169,11 +154,7 @@ pub(crate) fn write<S: Coordinate>(
     let record = Record {
         program: env!("CARGO_BIN_NAME"),
         version: env!("CARGO_PKG_VERSION"),
-        verdict: match answer {
-            Ok(_) => "correct",
-            Err(_) if subject.is_within => "within-max-depth",
-            Err(_) => "wrong",
-        },
+        verdict: subject.verdict.name(),
         canonical: answer
             .as_ref()
             .ok()
@@ -192,19 +173,7 @@ pub(crate) fn write<S: Coordinate>(
         clockwise: report.clockwise,
         steiner: subject.steiner,
         max_depth: subject.max_depth,
-        counts: Counts {
-            points: report.points,
-            distinct_points: report.distinct_points,
-            edges: report.edges,
-            triangles: report.triangles,
-            boundary_sides: report.boundary_sides,
-            constrained_sides: report.constrained_sides,
-            free_sides: report.free_sides,
-            cocircular_sides: report.cocircular_sides,
-            uncanonical_sides: report.uncanonical_sides,
-            added_points: report.added_points,
-            split_edges: report.split_edges,
-        },
+        counts: counts(report),
         signs: Signs {
             by_filter: report.filtered,
             exact: report.exact,
@@ -215,6 +184,10 @@ pub(crate) fn write<S: Coordinate>(
     };
     serde_json::to_writer_pretty(&mut *out, &record)?;
     writeln!(out)
+}
+
+fn by_name<S: Serializer>(counts: &[(&str, usize)], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_map(counts.iter().copied())
 }
 
 fn measured(answer: &Answer) -> Measured {

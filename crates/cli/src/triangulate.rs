@@ -7,6 +7,7 @@ use sweep_cdt::Triangulation;
 use sweep_cdt::interior::Interior;
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::verify::{Level, Verifier};
+use sweep_cdt_engine::headline;
 use sweep_cdt_formats::{Coordinate, GraphFile, Splitting};
 
 use crate::shared::arguments::{InputArgs, OutputArgs, Target, add, completed, has_standard};
@@ -22,7 +23,7 @@ use crate::shared::resources::limit_threads;
 use crate::shared::settings::Settings;
 use crate::shared::splitting::{SplitArgs, triangulated, write_splitting};
 use crate::shared::tables::{write_json, write_statistics};
-use crate::shared::verification::{self, verify};
+use crate::shared::verification::verify;
 
 /// Triangulate points and edges
 ///
@@ -270,7 +271,11 @@ impl Job for Run<'_> {
                         let splitting = self.splitting.as_ref();
                         let input = splitting.map(|splitting| triangulated(splitting, given.name));
                         let input = input.as_deref().unwrap_or(given.name);
-                        verification::write_verdict(&answer, level, "the result", input, out)
+                        writeln!(
+                            out,
+                            "{}",
+                            headline(&answer, level, None, ["the result", input])
+                        )
                     }
                     None => Ok(()),
                 }

@@ -1,20 +1,23 @@
 //! `sweep-cdt verify`: is it a constrained Delaunay triangulation?
 
-use std::io::{self, Write};
+use std::io::Write;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
+use std::str::FromStr;
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 use sweep_cdt::scalar::Scalar;
-use sweep_cdt::verify::{Level, Verifier};
+use sweep_cdt::triangulate;
+use sweep_cdt::verify::Level;
 use sweep_cdt_draw::ViolationsPicture;
+use sweep_cdt_engine::{Input as Asked, Inside, Question, Verdict, headline};
 use sweep_cdt_formats::{
     Coordinate, GraphFile, Input, Matching, ResultError, WayOut, added_points, write_certificate,
     write_violations,
 };
 
-use crate::advice::Advised;
+use crate::advice::advice;
 use crate::completed::completed;
 use crate::record::{self, Fingerprint, Subject};
 use crate::shared::arguments::{InputArgs, ResultArgs, ResultFiles};
@@ -22,8 +25,9 @@ use crate::shared::arithmetic::{Given, Job, ScalarArgs};
 use crate::shared::earlier::Earlier;
 use crate::shared::failure::{Failure, way_out};
 use crate::shared::files::ReadingArgs;
-use crate::shared::inside::{Inside, answer};
+use crate::shared::inside::{default_of, expect_suits};
 use crate::shared::outputs::{Destination, Outputs, refuse_read, refuse_twice};
+use crate::shared::places::located_interior;
 use crate::shared::resources::limit_threads;
 use crate::shared::verification::{self, violations};
 use crate::stream::{SortArgs, verify_stream};
@@ -61,7 +65,7 @@ pub(crate) struct Verify {
     ///
     /// The interior is found from a triangulation of the input, which is itself verified first. Points and edges
     /// outside of it need not be used.
-    #[arg(long, value_name = "RULE", value_parser = Inside::named)]
+    #[arg(long, value_name = "RULE", value_parser = Inside::from_str)]
     domain: Option<Inside>,
 
     /// What the triangles must reach: tiling, constrained (and every edge is there), delaunay, or canonical
@@ -70,10 +74,6 @@ pub(crate) struct Verify {
     /// highest one reached.
     #[arg(long, value_name = "LEVEL", value_parser = level_parser(), default_value = "delaunay")]
     level: Level,
-
-    /// Nothing: triangles that are all clockwise are judged as they are, and the report says so
-    #[arg(long)]
-    clockwise: bool,
 
     /// By how much a coordinate of the result may differ from the input's [default: by rounding]
     ///
@@ -150,7 +150,7 @@ pub(crate) struct Verify {
     #[arg(
         long,
         conflicts_with_all = ["input_format", "result_format", "faces", "height_property", "strict", "unpacked_limit",
-            "scalar", "domain", "clockwise", "tolerance", "by_number", "steiner", "max_depth", "limit", "threads", "explain", "json",
+            "scalar", "domain", "tolerance", "by_number", "steiner", "max_depth", "limit", "threads", "explain", "json",
             "svg", "geojson", "record", "write_certificate"],
     )]
     stream: bool,
@@ -278,13 +278,6 @@ impl Verify {
             record,
             certificate,
         };
-        if self.clockwise {
-            // If standard error is closed, the note has no reader.
-            let _ = writeln!(
-                io::stderr(),
-                "note: --clockwise is not needed: the order is found"
-            );
-        }
         self.scalar.apply(&self.input.name(), &input, run)
     }
 
@@ -343,25 +336,27 @@ impl Job for Run<'_> {
         let triangles = matching
             .read(format, &source, node.as_ref(), file)
             .map_err(|error| refusal(&error))?;
-        let verifier = Verifier::new()
-            .accept_clockwise(true)
-            .level(arguments.level)
-            .all_depths(arguments.max_depth.is_some())
-            .limit(arguments.limit);
-        let verifier = if arguments.steiner {
-            verifier.added_from(self.own)
-        } else {
-            verifier
+        let domain = arguments.domain.unwrap_or(default_of(file));
+        expect_suits(domain, given.name, file)?;
+        let question = Question {
+            input: &Asked::from(file),
+            points: given.points,
+            added_from: arguments.steiner.then_some(self.own),
+            numbering: file.numbering,
+            triangles: &triangles.list,
+            first_triangle: triangles.first,
+            strangers: &triangles.strangers,
+            attributes: triangles.attributes.as_deref(),
+            domain,
+            level: arguments.level,
+            max_depth: arguments.max_depth,
+            limit: arguments.limit,
+            triangulate: &triangulate,
+            verify: &verification::verify,
         };
-        let domain = arguments.domain.unwrap_or(Inside::of(file));
-        let answer = answer(domain, &given, self.own, verifier, &triangles)?;
-
-        // What is wrong by no more than is allowed for.
-        let within = arguments.max_depth.and_then(|max| {
-            let violations = answer.as_ref().err()?;
-            let greatest = violations.depth().filter(|depth| depth.get() <= max)?;
-            Some((violations.found, greatest, format!("{max:e}")))
-        });
+        let answer = question.answer();
+        let answer = answer.map_err(|error| given.failure(located_interior(file, error)))?;
+        let verdict = question.verdict(&answer);
         let subject = Subject {
             input: self.of_input,
             result: self.of_result,
@@ -370,20 +365,11 @@ impl Job for Run<'_> {
             level: arguments.level.name(),
             steiner: arguments.steiner,
             max_depth: arguments.max_depth,
-            is_within: within.is_some(),
+            verdict,
             file,
             triangles: &triangles,
         };
-        let advised = Advised {
-            given: &given,
-            own: self.own,
-            verifier,
-            triangles: &triangles,
-            domain,
-            answer: &answer,
-            is_within: within.is_some(),
-        };
-        let advice = (!arguments.json).then(|| advised.line());
+        let advice = (!arguments.json).then(|| advice(&given, &question, &answer));
         let mut outputs = Outputs::default();
         if let Some(record) = self.record {
             outputs.add(record, |out| record::write(&subject, &answer, out))?;
@@ -391,7 +377,7 @@ impl Job for Run<'_> {
         if let Some(certificate) = self.certificate.filter(|_| answer.is_ok()) {
             let graph = &file.graph;
             let (list, is_inside) = match domain {
-                Inside::Hull => (triangles.list.clone(), vec![true; triangles.list.len()]),
+                Inside::HULL => (triangles.list.clone(), vec![true; triangles.list.len()]),
                 _ => completed(&given, &triangles.list)?,
             };
             let polygons = matches!(domain, Inside::Polygons).then_some(&file.polygons);
@@ -421,16 +407,12 @@ impl Job for Run<'_> {
             let (input, result) = (arguments.input.name(), arguments.result.result.input_name());
             let interior = |rule: Inside| format!("the interior of {input} ({rule})");
             let verified = match domain {
-                Inside::Hull => input.clone(),
+                Inside::HULL => input.clone(),
                 rule => interior(rule),
             };
-            if let Some((found, greatest, max)) = &within {
-                let what = [max, arguments.level.title()];
-                let files = [&*result, &*verified];
-                verification::write_rounded(*found, *greatest, what, files, out)?;
-            } else {
-                verification::write_verdict(&answer, arguments.level, &result, &verified, out)?;
-            }
+            let (level, max_depth) = (arguments.level, arguments.max_depth);
+            let files = [&*result, &*verified];
+            writeln!(out, "{}", headline(&answer, level, max_depth, files))?;
             writeln!(out, "{}", triangles.matched.words())?;
             let report = verification::report(&answer);
             if report.clockwise {
@@ -443,10 +425,10 @@ impl Job for Run<'_> {
             writeln!(out, "\n{advice}")
         })?;
         outputs.finish()?;
-        match answer {
-            Ok(_) => Ok(()),
-            Err(_) if within.is_some() => Err(Failure::Rounded),
-            Err(_) => Err(Failure::Wrong),
+        match verdict {
+            Verdict::Correct => Ok(()),
+            Verdict::WithinMaxDepth => Err(Failure::Rounded),
+            Verdict::Wrong => Err(Failure::Wrong),
         }
     }
 }

@@ -14,6 +14,7 @@ use std::process::Command;
 use base64::prelude::{BASE64_STANDARD, Engine};
 use flate2::Compression;
 use flate2::write::GzEncoder;
+use sweep_cdt_engine::{ALGORITHMS, FRONTS, HEURISTICS, Inside};
 use sweep_cdt_formats::Format;
 use sweep_cdt_generate::KINDS;
 
@@ -68,7 +69,9 @@ pub fn page(program: &Path) -> io::Result<String> {
     };
     let inputs: Vec<&str> = Format::INPUTS.iter().map(|input| input.name()).collect();
     let outputs = Format::OUTPUTS.iter().map(|output| output.name()).collect();
-    let kinds = KINDS.iter().map(|kind| option("", kind.name, kind.name));
+    let named = |name: &str| option("", name, name);
+    let kinds = KINDS.iter().map(|kind| named(kind.name));
+    let rules = Inside::names().chain(["at-least-2"]).map(named);
     let extensions: Vec<String> = inputs.iter().map(|name| format!(".{name}")).collect();
     let parts = [
         ("{{css}}", CSS.to_owned()),
@@ -76,6 +79,22 @@ pub fn page(program: &Path) -> io::Result<String> {
         ("{{graphs}}", files("graph ", inputs)),
         ("{{kinds}}", kinds.collect()),
         ("{{extensions}}", extensions.join(",")),
+        (
+            "{{fronts}}",
+            FRONTS.iter().map(|front| named(front.name)).collect(),
+        ),
+        (
+            "{{heuristics}}",
+            HEURISTICS.iter().map(|rules| named(rules.name)).collect(),
+        ),
+        (
+            "{{algorithms}}",
+            ALGORITHMS
+                .iter()
+                .map(|algorithm| named(algorithm.name))
+                .collect(),
+        ),
+        ("{{rules}}", rules.collect()),
         ("{{program}}", program),
         ("{{worker}}", WORKER.join("\n")),
         ("{{js}}", SCRIPTS.join("\n")),

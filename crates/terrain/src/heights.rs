@@ -32,8 +32,16 @@ impl<S: Exact> Surface<'_, S> {
     #[must_use]
     pub fn heights_at(&self, points: &[[S; 2]]) -> Vec<Option<f64>> {
         let result = self.interior.triangulation();
+        let places = result.with_points(self.points).locate_all(points);
+        self.heights_of(points, &places)
+    }
+
+    /// The heights of points whose places are known: for several surfaces over one triangulation, which locates them once.
+    #[must_use]
+    pub fn heights_of(&self, points: &[[S; 2]], places: &[Location]) -> Vec<Option<f64>> {
+        let result = self.interior.triangulation();
         let is_inside = self.vertices_inside();
-        let height = |(point, place): (&[S; 2], Location)| match place {
+        let height = |(point, place): (&[S; 2], &Location)| match *place {
             Location::Outside => None,
             Location::Vertex(v) => Some(self.heights[v]).filter(|x| is_inside[v] && !x.is_nan()),
             Location::Side { triangle: t, side } => {
@@ -51,7 +59,6 @@ impl<S: Exact> Surface<'_, S> {
                 within(point, corners.map(|v| &self.points[v]), heights)
             }),
         };
-        let places = result.with_points(self.points).locate_all(points);
         points.iter().zip(places).map(height).collect()
     }
 

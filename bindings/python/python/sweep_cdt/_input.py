@@ -238,11 +238,9 @@ class Input:
         """Whether the points are fractions."""
         return isinstance(self.points, _native.ExactPoints)
 
-    def default_rule(self) -> str:
-        """The rule for what is inside, where none is asked for: as that of the command."""
-        if len(self.holes):
-            return "holes"
-        return "polygons" if self.rings else "hull"
+    def rule(self, name: str | None) -> str:
+        """The rule for what is inside: the one that is asked for, or the default."""
+        return _native.inside(name, len(self.holes) > 0, len(self.rings) > 0)
 
     def __getstate__(self) -> dict[str, Any]:
         state = dict(self.__dict__)

@@ -8,17 +8,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from . import _native
 from ._input import as_doubles
 
 if TYPE_CHECKING:
     from ._verify import Question
-
-TITLES = {
-    "tiling": "a triangulation",
-    "constrained": "a constrained triangulation",
-    "delaunay": "a constrained Delaunay triangulation",
-    "canonical": "the canonical constrained Delaunay triangulation",
-}
 
 RECORD = np.dtype(
     [
@@ -42,6 +36,8 @@ class Report:
     ----------
     verdict : {'correct', 'within-max-depth', 'wrong'}
         Of the second, each violation is no deeper than `max_depth`: the report is true.
+    headline : str
+        The verdict in words.
     level, domain : str
         What was asked for.
     reached : str or None
@@ -75,13 +71,8 @@ class Report:
         self.deepest = answer["deepest"]
         self.decades = answer["decades"]
         self.matched = question.matched
-        is_measured = answer["measured"] == answer["found"]
-        if answer["is_right"]:
-            self.verdict = "correct"
-        elif question.max_depth is not None and is_measured and self.deepest <= question.max_depth:
-            self.verdict = "within-max-depth"
-        else:
-            self.verdict = "wrong"
+        self.verdict = answer["verdict"]
+        self.headline = answer["headline"]
 
     def __bool__(self) -> bool:
         return self.verdict != "wrong"
@@ -97,33 +88,13 @@ class Report:
             lines.append(f"and {self.found - LISTED} more")
         return "\n".join([*lines, self.advice])
 
-    @property
-    def headline(self) -> str:
-        """The verdict in words."""
-        what = TITLES[self.level]
-        of = "of the points" if self.domain == "hull" else f"of the interior ({self.domain})"
-        found = f"{self.found} violation{'' if self.found == 1 else 's'}"
-        if self.verdict == "correct":
-            canonical = ""
-            if self.level == "delaunay":
-                canonical = ", the canonical one" if self.is_canonical else ", not the canonical one"
-            return f"correct: this is {what} {of}{canonical}"
-        if self.verdict == "wrong":
-            return f"wrong: this is not {what} {of}: {found}"
-        return (
-            f"up to {self._question.max_depth:g}: this is {what} {of}, but not exactly: {found}, "
-            f"the deepest by {self.deepest:.1e}"
-        )
-
     @functools.cached_property
     def advice(self) -> str:
         """The last line of the report: what was found, and what to do.
 
         What it names was tried, and accepts the result.
         """
-        from ._advice import advice
-
-        return advice(self._question, self)
+        return self._question.ask(_native.advise, self.verdict, self.is_clockwise)
 
     @functools.cached_property
     def violations(self) -> np.ndarray:

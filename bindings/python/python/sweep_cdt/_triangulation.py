@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import functools
 import json
+import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from . import _convert, _native
-from ._errors import CrossingEdgesError, Error, ShapeError
+from ._errors import CrossingEdgesError, ShapeError
 from ._graph import as_input
-from ._input import Input, as_count, as_doubles, as_fractions, as_points, called
+from ._input import Input, as_count, as_fractions, as_points, called
 
 if TYPE_CHECKING:
     from ._crossings import Split
@@ -147,9 +148,7 @@ def made(
     settings: tuple[str, str, str] | None,
 ) -> Triangulation:
     """The triangulation of an input."""
-    rule = given.default_rule() if inside is None else inside
-    if rule == "polygons" and not given.rings:
-        raise Error("there are no polygons: the rule even-odd takes edges that are closed rings")
+    rule = given.rule(inside)
     split = None
     if split_crossings:
         from ._crossings import split_input
@@ -372,25 +371,25 @@ class Triangulation:
             Positions in `simplices`; -1 outside of the hull, and for points that are not finite.
         """
         del bruteforce, tol
+        points, queries, finite, shape = self._queries(xi)
+        found = np.full(len(finite), -1, dtype=np.int32)
+        found[finite] = self._core.locate(points, queries)
+        return found.reshape(shape)
+
+    def _queries(self, xi: Any) -> tuple[Any, Any, np.ndarray, tuple[int, ...]]:
+        """Points and queries of one kind, which queries are finite as the exact kind needs them, and their shape."""
         array = np.asarray(xi)
         if array.ndim == 0 or array.shape[-1] != 2:
             raise ShapeError(f"xi has the shape {array.shape}, not (..., 2)", shape=array.shape)
-        shape = array.shape[:-1]
         # Doubles on a grid are looked up as doubles, others are converted to the kind of the points.
-        queries = as_points(array.reshape(-1, 2), "xi")
-        if isinstance(queries, np.ndarray) == self._input.is_exact:
-            return self._find_exactly(queries).reshape(shape)
-        return self._core.locate(self._input.points, queries).reshape(shape)
-
-    def _find_exactly(self, queries: Any) -> np.ndarray:
-        """The triangles of points of another kind."""
-        if isinstance(queries, np.ndarray):
-            found = np.full(len(queries), -1, dtype=np.int32)
+        points, queries = self._input.points, as_points(array.reshape(-1, 2), "xi")
+        finite = np.ones(len(queries), dtype=bool)
+        if isinstance(queries, np.ndarray) and self._input.is_exact:
             finite = np.isfinite(queries).all(axis=1)
-            exact = as_points(queries[finite].astype(object), "xi")
-            found[finite] = self._core.locate(self._input.points, exact)
-            return found
-        return self._core.locate(as_points(self._input.points.astype(object)), queries)
+            queries = as_points(queries[finite].astype(object), "xi")
+        elif not isinstance(queries, np.ndarray) and not self._input.is_exact:
+            points = as_points(points.astype(object))
+        return points, queries, finite, array.shape[:-1]
 
     def interpolate(self, values: Any, xi: Any) -> np.ndarray:
         """Values at the points, interpolated linearly in each triangle that is inside.
@@ -405,7 +404,8 @@ class Triangulation:
         Returns
         -------
         ndarray of shape (...) or (..., k)
-            NaN where no triangle is inside.
+            NaN where no triangle is inside, and where a value that counts is not finite. Where a point lies is decided
+            exactly; on a side the values of its two ends count, at a corner that of the corner alone.
 
         Examples
         --------
@@ -415,21 +415,15 @@ class Triangulation:
         [4.0, 8.0, nan]
         """
         values = np.asarray(values, dtype=float)
-        points = as_doubles(self._input.points)
-        if values.shape[:1] != (len(points),):
-            raise ShapeError(f"values has the shape {values.shape}, not ({len(points)}, ...)", shape=values.shape)
-        xi = np.asarray(xi, dtype=float)
-        found = self.find_simplex(xi)
-        held = (found >= 0) & self.inside[found] if len(self._core) else found >= 0
-        result = np.full(xi.shape[:-1] + values.shape[1:], np.nan)
-        corners = self.simplices[found[held]]
-        a, b, c = (points[corners[:, i]] for i in range(3))
-        (ux, uy), (vx, vy), (wx, wy) = (b - a).T, (c - a).T, (xi[held] - a).T
-        area = ux * vy - uy * vx
-        of_b, of_c = (wx * vy - wy * vx) / area, (ux * wy - uy * wx) / area
-        weights = np.stack([1 - of_b - of_c, of_b, of_c], axis=1)
-        result[held] = np.einsum("ti,ti...->t...", weights, values[corners])
-        return result
+        count, rest = len(self._input.points), values.shape[1:]
+        if values.shape[:1] != (count,):
+            raise ShapeError(f"values has the shape {values.shape}, not ({count}, ...)", shape=values.shape)
+        points, queries, finite, shape = self._queries(xi)
+        columns = values.reshape(count, math.prod(rest))
+        result = np.full((len(finite), columns.shape[1]), np.nan)
+        found = self._core.interpolate(self._input, self.rule, columns, (points, queries))
+        result[finite] = found.reshape(len(queries), columns.shape[1])
+        return result.reshape(shape + rest)
 
     # To other libraries.
     to_matplotlib = _convert.to_matplotlib

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Any
+from collections.abc import Callable
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -14,6 +15,8 @@ from ._graph import as_input
 from ._input import Input, as_count, as_indices, called
 from ._report import Report
 from ._triangulation import made
+
+T = TypeVar("T")
 
 
 @dataclasses.dataclass
@@ -33,38 +36,19 @@ class Question:
     # How vertices were matched, in words.
     matched: str
 
-    def own(self) -> Input:
-        """The input without the points that were added."""
-        given, count = self.given, self.added_from
-        if count is None:
-            return given
-        if given.is_exact:
-            # Two numbers a point.
-            points = _native.ExactPoints(*(part[: 2 * count] for part in given.points.parts()))
-        else:
-            points = given.points[:count]
-        return Input(points, given.edges)
-
-    def answer(self, **changes: Any) -> dict[str, Any]:
-        """The verifier's answer, with some things changed."""
-        asked = dataclasses.replace(self, **changes)
-        attributes = None
-        if asked.attributes is not None and asked.given.attributes:
-            attributes = (asked.attributes, asked.given.attributes)
-        return called(
-            _native.verify,
-            asked.given,
-            asked.triangles,
-            {
-                "rule": asked.rule,
-                "level": asked.level,
-                "added_from": asked.added_from,
-                "all_depths": asked.max_depth is not None,
-                "limit": asked.limit,
-                "attributes": attributes,
-                "threads": asked.threads,
-            },
-        )
+    def ask(self, function: Callable[..., T], *arguments: Any) -> T:
+        """Calls a function in Rust with the question."""
+        has_regions = self.attributes is not None and self.given.attributes
+        asked = {
+            "rule": self.rule,
+            "level": self.level,
+            "max_depth": self.max_depth,
+            "added_from": self.added_from,
+            "limit": self.limit,
+            "attributes": self.attributes if has_regions else None,
+            "threads": self.threads,
+        }
+        return called(function, self.given, self.triangles, asked, *arguments)
 
 
 def verify(
@@ -163,11 +147,7 @@ def verify(
     added_from = None
     if matched is None:
         given, result, matched, added_from = _matched(given, result, tolerance, by_number, steiner)
-    rule = domain
-    if rule is None:
-        rule = _rule_of_result(result, given, simplices is None) or given.default_rule()
-    if rule == "polygons" and not given.rings:
-        raise Error("there are no polygons: the domain even-odd takes edges that are closed rings")
+    rule = given.rule(_rule_of_result(result, given, simplices is None) if domain is None else domain)
     question = Question(
         given,
         result.triangles,
@@ -180,7 +160,7 @@ def verify(
         as_count(1 if threads is None else threads, "threads"),
         matched,
     )
-    return Report(question, question.answer())
+    return Report(question, question.ask(_native.verify))
 
 
 def _rule_of_result(result: Result, given: Input, is_alone: bool) -> str | None:
@@ -191,17 +171,11 @@ def _rule_of_result(result: Result, given: Input, is_alone: bool) -> str | None:
         return None
     # A dictionary of `triangle`: with its option `c` the sides of the hull are segments, too.
     try:
-        hull = made(result.own, "hull", False, None, None).convex_hull
+        whole = made(result.own, "hull", False, None, None)
     except Error:
         return "holes"
-    segments = np.sort(result.own.edges.view(np.intp), axis=1)
-    is_closed = np.isin(_numbers(np.sort(hull, axis=1)), _numbers(segments)).all()
+    is_closed = whole.constrained[whole.neighbors < 0].all()
     return "hull-without-holes" if is_closed else "holes"
-
-
-def _numbers(pairs: np.ndarray) -> np.ndarray:
-    """A number for each pair of positions."""
-    return pairs[:, 0].astype(np.int64) * 2**32 + pairs[:, 1]
 
 
 def _own(result: Result, edges: Any, polygons: Any, holes: Any) -> tuple[Input, str]:

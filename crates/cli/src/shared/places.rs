@@ -28,6 +28,9 @@ pub(crate) fn located<S: Coordinate>(file: &GraphFile<S>, error: Error) -> Strin
 
 /// What keeps a rule from telling the inside, in words, numbered as in the file, and where it is.
 pub(crate) fn located_interior<S: Coordinate>(file: &GraphFile<S>, error: InteriorError) -> String {
+    if let InteriorError::Refused { error } = error {
+        return located(file, error);
+    }
     let graph = &file.graph;
     let seed_of_region = |region: usize| graph.regions.get(region).map(|region| &region.seed);
     let place = match error {

@@ -1,11 +1,11 @@
 //! Algorithm and settings: they change the time and never the result.
 
-use clap::ValueEnum;
-use sweep_cdt::front::{Linear, SkipList};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use sweep_cdt::memory::of_bands;
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::trace::Event;
-use sweep_cdt::{Algorithm, Bands, Error, Heuristics, Stats, Triangulation, Triangulator, Watch};
+use sweep_cdt::{Algorithm, Bands, Error, Heuristics, Stats, Triangulation, Watch};
+use sweep_cdt_engine::{ALGORITHMS, Choice, FRONTS, FrontKind, HEURISTICS, chosen};
 
 use super::resources::{Progress, has_room};
 
@@ -14,16 +14,16 @@ use super::resources::{Progress, has_room};
 #[command(next_help_heading = "Settings (they change the time, never the result)")]
 pub(crate) struct Settings {
     /// Algorithm
-    #[arg(long, value_enum, default_value_t = Method::Auto)]
-    algorithm: Method,
+    #[arg(long, value_parser = parser(&ALGORITHMS), default_value = ALGORITHMS[0].name)]
+    algorithm: Algorithm,
 
     /// Search structure of the advancing front
-    #[arg(long, value_enum, default_value_t = Front::Hash)]
-    front: Front,
+    #[arg(long, value_parser = parser(&FRONTS), default_value = FRONTS[0].name)]
+    front: FrontKind,
 
     /// Angles up to which the heuristics add triangles
-    #[arg(long, value_enum, default_value_t = Preset::Fast)]
-    heuristics: Preset,
+    #[arg(long, value_parser = parser(&HEURISTICS), default_value = HEURISTICS[0].name)]
+    heuristics: Heuristics,
 
     /// Switch off the pi/2 heuristic (algorithm auto: until flips are many)
     #[arg(long)]
@@ -34,32 +34,14 @@ pub(crate) struct Settings {
     no_basins: bool,
 }
 
-#[derive(Clone, Copy, ValueEnum)]
-enum Method {
-    /// The sweep, where flips are many with the paper's heuristics; divide and conquer where it would take too long
-    Auto,
-    /// The sweep, to its end; traces always show the sweep
-    Sweep,
-    /// Divide and conquer, then the edges one by one
-    DivideAndConquer,
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-enum Front {
-    /// Hash table over x, the paper's
-    Hash,
-    /// Skip list
-    SkipList,
-    /// Walk from the node inserted last; slow for many points
-    Linear,
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-enum Preset {
-    /// The angles measured as fastest
-    Fast,
-    /// The paper's pi/2 and 3pi/4
-    Paper,
+/// Reads the name of a choice.
+fn parser<T: Copy + Send + Sync + 'static>(
+    choices: &'static [Choice<T>],
+) -> impl TypedValueParser<Value = T> {
+    let values = choices
+        .iter()
+        .map(|choice| PossibleValue::new(choice.name).help(choice.about));
+    PossibleValuesParser::new(values).try_map(|name| chosen("setting", choices, &name))
 }
 
 impl Settings {
@@ -72,11 +54,10 @@ impl Settings {
         stats: bool,
     ) -> Result<(Triangulation, Option<Stats>), Error> {
         // Other fronts are for comparison, on one thread.
-        let is_parallel = matches!(self.front, Front::Hash) && !stats;
-        let triangulator = Triangulator::new()
-            .algorithm(self.algorithm())
-            .heuristics(self.heuristics());
+        let is_parallel = self.front == FrontKind::Hash && !stats;
+        let settings = self.with(self.algorithm);
         if is_parallel && has_room(of_bands(points.len(), edges.len()) as u64) {
+            let triangulator = settings.triangulator();
             let result = triangulator.triangulate_parallel(points, edges, Bands::new())?;
             return Ok((result, None));
         }
@@ -87,7 +68,7 @@ impl Settings {
         if stats {
             watch = watch.stats(&mut found);
         }
-        let result = self.run(triangulator, points, edges, watch)?;
+        let result = settings.run(points, edges, watch)?;
         Ok((result, stats.then_some(found)))
     }
 
@@ -98,43 +79,21 @@ impl Settings {
         edges: &[[usize; 2]],
         mut observer: impl FnMut(Event),
     ) -> Result<Triangulation, Error> {
-        let triangulator = Triangulator::new()
-            .algorithm(Algorithm::Paper)
-            .heuristics(self.heuristics());
         let watch = Watch::new().events(&mut observer);
-        self.run(triangulator, points, edges, watch)
+        self.with(Algorithm::Paper).run(points, edges, watch)
     }
 
-    /// A run with the front that was chosen.
-    fn run<S: Scalar>(
-        &self,
-        triangulator: Triangulator,
-        points: &[[S; 2]],
-        edges: &[[usize; 2]],
-        watch: Watch<'_>,
-    ) -> Result<Triangulation, Error> {
-        match self.front {
-            Front::Hash => triangulator.run(points, edges, watch),
-            Front::SkipList => {
-                triangulator.run(points, edges, watch.front(&mut SkipList::default()))
-            }
-            Front::Linear => triangulator.run(points, edges, watch.front(&mut Linear::default())),
-        }
-    }
-
-    fn algorithm(&self) -> Algorithm {
-        match self.algorithm {
-            Method::Auto => Algorithm::Auto,
-            Method::Sweep => Algorithm::Sweep,
-            Method::DivideAndConquer => Algorithm::DivideAndConquer,
+    /// The settings with this algorithm.
+    fn with(&self, algorithm: Algorithm) -> sweep_cdt_engine::Settings {
+        sweep_cdt_engine::Settings {
+            algorithm,
+            front: self.front,
+            heuristics: self.heuristics(),
         }
     }
 
     fn heuristics(&self) -> Heuristics {
-        let mut heuristics = match self.heuristics {
-            Preset::Fast => Heuristics::FAST,
-            Preset::Paper => Heuristics::PAPER,
-        };
+        let mut heuristics = self.heuristics;
         if self.no_narrow_corners {
             heuristics.corners = Heuristics::OFF.corners;
         }

@@ -5,15 +5,13 @@ use std::io::{self, Write};
 use std::sync::Mutex;
 
 use sweep_cdt::scalar::Scalar;
-use sweep_cdt::verify::{Depth, Level, Report, Verifier, Violation, Violations};
+use sweep_cdt::verify::{Level, Report, Verifier, Violation};
+use sweep_cdt_engine::Answer;
 use sweep_cdt_formats::{Coordinate, GraphFile, Triangles};
 
 use super::glossary::meaning;
 use super::resources::Progress;
 use super::tables::{NAME, NUMBER, grouped};
-
-/// The verifier's answer.
-pub(crate) type Answer = Result<Report, Violations>;
 
 /// Verifies on all cores, with a progress bar where that takes long.
 pub(crate) fn verify<T: Scalar + Sync>(
@@ -48,51 +46,6 @@ pub(crate) fn violations(answer: &Answer) -> (&[Violation], usize) {
         Ok(_) => (&[], 0),
         Err(violations) => (&violations.list, violations.found),
     }
-}
-
-/// Writes the verdict on a level: one line.
-pub(crate) fn write_verdict(
-    answer: &Answer,
-    level: Level,
-    result: &str,
-    input: &str,
-    out: &mut impl Write,
-) -> io::Result<()> {
-    let what = level.title();
-    match answer {
-        Ok(report) => {
-            write!(out, "correct: {result} is {what} of {input}")?;
-            match (level, report.is_canonical()) {
-                (Level::Delaunay, true) => writeln!(out, ", the canonical one"),
-                (Level::Delaunay, false) => writeln!(out, ", not the canonical one"),
-                _ => writeln!(out),
-            }
-        }
-        Err(violations) => {
-            let found = violations.found;
-            let plural = if found == 1 { "" } else { "s" };
-            writeln!(
-                out,
-                "wrong: {result} is not {what} of {input}: {found} violation{plural}"
-            )
-        }
-    }
-}
-
-/// Writes the verdict on a result that is wrong by no more than `max_depth`: one line.
-pub(crate) fn write_rounded(
-    found: usize,
-    greatest: Depth,
-    [max_depth, what]: [&str; 2],
-    [result, input]: [&str; 2],
-    out: &mut impl Write,
-) -> io::Result<()> {
-    let plural = if found == 1 { "" } else { "s" };
-    writeln!(
-        out,
-        "up to {max_depth}: {result} is {what} of {input}, but not exactly: \
-         {found} violation{plural}, the deepest by {greatest}"
-    )
 }
 
 /// The name of the highest level reached.

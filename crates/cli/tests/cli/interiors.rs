@@ -49,57 +49,6 @@ fn a_result_may_fill_the_interior() {
 }
 
 #[test]
-fn the_right_rule_is_named() {
-    let folder = folder(&[("a.poly", FRAME)]);
-    for (made, asked, fits) in [
-        ("even-odd", "even-odd", true),
-        ("even-odd", "holes", true),
-        ("even-odd", "nonzero", false),
-        ("even-odd", "hull", false),
-        ("hull", "hull", true),
-        ("hull", "nonzero", true),
-        ("hull", "even-odd", false),
-        ("hull", "holes", false),
-    ] {
-        printed(&run(&folder, &format!("a.poly --inside {made} -o a.ele")));
-        let report = verify(&folder, &format!("a.poly a.ele --domain {asked}"));
-        if fits {
-            assert!(
-                printed(&report).starts_with("correct: a.ele is "),
-                "{asked}"
-            );
-        } else {
-            let report = refuted(&report);
-            assert!(report.starts_with("wrong: a.ele is not "), "{asked}");
-            let place = match made {
-                "hull" => "hull: `--domain hull`",
-                _ => "interior: `--domain holes`",
-            };
-            let hint = format!("this is a right triangulation of the {place}\n");
-            assert!(report.ends_with(&hint), "{report}");
-        }
-    }
-}
-
-#[test]
-fn what_is_wrong_in_the_interior_has_the_numbers_of_the_file() {
-    let poly = dangling().replace("10 9 1\n", "10 1 6\n");
-    let folder = folder(&[("a.poly", &poly)]);
-    printed(&run(&folder, "a.poly -o a.ele"));
-    // The diagonal that is edge 10 is the other one.
-    let wrong = [("1 1 2 6 0.5", "1 1 2 5"), ("3 1 6 5 0.5", "3 2 6 5")];
-    let mut ele = std::fs::read_to_string(folder.path().join("a.ele")).expect("a text");
-    for (right, wrong) in wrong {
-        assert!(ele.contains(right), "{ele}");
-        ele = ele.replace(right, wrong);
-    }
-    std::fs::write(folder.path().join("a.ele"), ele).expect("a file");
-    let report = verify(&folder, "a.poly a.ele --domain holes");
-    let missing = "missing-edge: edge 10 is missing: no side leads along it from vertex 1\n";
-    assert!(refuted(&report).contains(missing), "{}", refuted(&report));
-}
-
-#[test]
 fn triangles_have_the_attributes_of_their_regions() {
     let folder = folder(&[("a.poly", FRAME)]);
     printed(&run(&folder, "a.poly -o a.ele -o a.json"));

@@ -111,8 +111,7 @@ fn corners_counted_from_one_are_said_to_be() {
             .expect("the command starts");
         text(&output.stdout).to_owned()
     };
-    let advice =
-        "\ncorners are numbered from 1 and this format counts from 0: subtract 1 from each\n";
+    let advice = "\ncorners are numbered from 1 and not from 0: subtract 1 from each\n";
     assert!(report("from1.json").ends_with(advice));
     assert!(!report("wrong.json").contains(advice));
     let right = sweep_cdt(&folder, "verify five.json from0.json").output();

@@ -53,6 +53,7 @@ fn settings_change_no_byte() {
         "--front linear",
         "--scalar rational",
         "--heuristics paper",
+        "--heuristics off",
         "--no-narrow-corners",
         "--no-basins",
         "--no-narrow-corners --no-basins --front skip-list --scalar rational",

@@ -21,6 +21,7 @@ use std::process::ExitCode;
 use sweep_cdt_formats::Input;
 
 use request::Request;
+use settings::Asked;
 
 fn main() -> ExitCode {
     match run() {
@@ -42,11 +43,12 @@ fn run() -> Result<(), Box<dyn Error>> {
         settings,
         wanted,
     } = request;
+    let settings = Asked::try_from(settings)?;
     let name = input.name();
     let mut answer = Vec::new();
     match input::read(input, files)? {
-        Input::Doubles(graph) => output::write(&name, &graph, settings, wanted, &mut answer)?,
-        Input::Rationals(graph) => output::write(&name, &graph, settings, wanted, &mut answer)?,
+        Input::Doubles(graph) => output::write(&name, &graph, &settings, wanted, &mut answer)?,
+        Input::Rationals(graph) => output::write(&name, &graph, &settings, wanted, &mut answer)?,
     }
     let mut out = std::io::stdout().lock();
     out.write_all(&answer)?;

@@ -10,7 +10,8 @@ use sweep_cdt_trace::write_trace;
 
 use super::input::named;
 use super::picture::Picture;
-use super::request::{Settings, Trace, Wanted};
+use super::request::{Trace, Wanted};
+use super::settings::Asked;
 
 /// So many points and edges may have their steps shown: a browser bears the page, and the memory of a process the steps.
 const MOST_WITH_STEPS: usize = 50_000;
@@ -19,13 +20,13 @@ const MOST_WITH_STEPS: usize = 50_000;
 pub(crate) fn write<S: Coordinate + Exact>(
     name: &str,
     file: &GraphFile<S>,
-    settings: Settings,
+    settings: &Asked,
     wanted: Wanted,
     out: &mut Vec<u8>,
 ) -> Result<(), Box<dyn Error>> {
     let refused = |file: &GraphFile<S>, error| format!("{name}: {}", file.split_as_numbered(error));
     if let Wanted::Picture = wanted {
-        let picture = Picture::new(file, &settings);
+        let picture = Picture::new(file, settings);
         let picture = picture.map_err(|error| refused(file, error))?;
         return Ok(picture.write(out)?);
     }
@@ -59,7 +60,7 @@ pub(crate) fn write<S: Coordinate + Exact>(
 fn write_steps<S: Coordinate>(
     name: &str,
     file: &GraphFile<S>,
-    settings: Settings,
+    settings: &Asked,
     format: Trace,
     out: &mut Vec<u8>,
 ) -> Result<(), Box<dyn Error>> {

@@ -12,7 +12,7 @@ use sweep_cdt::crossings::{Crossing, Exact, SplitError, crossings};
 use sweep_cdt::{Error, Pslg, Stats, Triangulation};
 use sweep_cdt_formats::{Coordinate, GraphFile, Splitting};
 
-use super::request::Settings;
+use super::settings::Asked;
 
 /// All of it.
 pub(crate) struct Picture {
@@ -75,7 +75,7 @@ impl Picture {
     /// Triangulates. Edges that cross are no failure: they are listed, and split if the settings say so.
     pub(crate) fn new<S: Coordinate + Exact>(
         file: &GraphFile<S>,
-        settings: &Settings,
+        settings: &Asked,
     ) -> Result<Picture, SplitError> {
         let graph = &file.graph;
         match settings.triangulate(graph, None) {
@@ -100,7 +100,7 @@ impl Picture {
         pieces: &GraphFile<S>,
         run: Option<(Triangulation, Stats)>,
         crossings: &[Crossing<S>],
-        settings: &Settings,
+        settings: &Asked,
     ) -> Picture {
         let mut domain_refused = None;
         let mut shown = Shown::default();

@@ -1,7 +1,6 @@
-//! The requests of the page. The names of formats and kinds are the names that the command has for them.
+//! The requests of the page. All names are those that the command has.
 
 use serde::Deserialize;
-use sweep_cdt::Algorithm;
 
 /// An input, how it is to be triangulated, and what of it is wanted.
 #[derive(Deserialize)]
@@ -40,64 +39,16 @@ impl Given {
     }
 }
 
-/// How it is triangulated.
-#[derive(Clone, Copy, Deserialize)]
+/// How it is triangulated: the algorithm, the front, the heuristics and the rule for the inside by their names.
+#[derive(Deserialize)]
 pub(crate) struct Settings {
-    pub(crate) method: Method,
-    pub(crate) front: Front,
-    pub(crate) heuristics: Preset,
-    pub(crate) inside: Inside,
+    pub(crate) method: String,
+    pub(crate) front: String,
+    pub(crate) heuristics: String,
+    /// `default` for the rule that an input has by itself.
+    pub(crate) inside: String,
     /// Whether edges are split where they cross.
     pub(crate) split: bool,
-}
-
-/// The algorithm.
-#[derive(Clone, Copy, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub(crate) enum Method {
-    Auto,
-    Sweep,
-    DivideAndConquer,
-}
-
-impl From<Method> for Algorithm {
-    fn from(method: Method) -> Algorithm {
-        match method {
-            Method::Auto => Algorithm::Auto,
-            Method::Sweep => Algorithm::Sweep,
-            Method::DivideAndConquer => Algorithm::DivideAndConquer,
-        }
-    }
-}
-
-/// The search structure of the front.
-#[derive(Clone, Copy, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub(crate) enum Front {
-    Hash,
-    SkipList,
-    Linear,
-}
-
-/// The heuristics.
-#[derive(Clone, Copy, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub(crate) enum Preset {
-    Fast,
-    Paper,
-    Off,
-}
-
-/// Which triangles are inside.
-#[derive(Clone, Copy, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub(crate) enum Inside {
-    /// Holes for an input with holes, otherwise hull, as the command has it.
-    Default,
-    Hull,
-    EvenOdd,
-    Nonzero,
-    Holes,
 }
 
 /// The contents of the answer.

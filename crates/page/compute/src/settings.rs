@@ -3,15 +3,36 @@
 use std::borrow::Cow;
 
 use sweep_cdt::crossings::{Exact, SplitError, crossings};
-use sweep_cdt::front::{Linear, SkipList};
-use sweep_cdt::interior::{FillRule, Interior, InteriorError};
+use sweep_cdt::interior::{Interior, InteriorError};
 use sweep_cdt::trace::Event;
-use sweep_cdt::{Algorithm, Error, Heuristics, Pslg, Stats, Triangulation, Triangulator, Watch};
+use sweep_cdt::{Algorithm, Error, Pslg, Stats, Triangulation, Watch};
+use sweep_cdt_engine::{Inside, Settings, UnknownName};
 use sweep_cdt_formats::{Coordinate, GraphFile};
 
-use super::request::{Front, Inside, Preset, Settings};
+use super::request;
 
-impl Settings {
+/// What a request asks for.
+pub(crate) struct Asked {
+    settings: Settings,
+    /// Nothing for the rule that an input has by itself.
+    inside: Option<Inside>,
+    pub(crate) split: bool,
+}
+
+impl TryFrom<request::Settings> for Asked {
+    type Error = UnknownName;
+
+    fn try_from(asked: request::Settings) -> Result<Asked, UnknownName> {
+        let inside = (asked.inside != "default").then(|| asked.inside.parse());
+        Ok(Asked {
+            settings: Settings::named(&asked.method, &asked.front, &asked.heuristics)?,
+            inside: inside.transpose()?,
+            split: asked.split,
+        })
+    }
+}
+
+impl Asked {
     /// The graph that is triangulated: that of the file, or its edges split, if they are to be split and any cross.
     pub(crate) fn pieces<'a, S: Coordinate + Exact>(
         &self,
@@ -30,30 +51,16 @@ impl Settings {
         Pslg { points, edges, .. }: &Pslg<S>,
         steps: Option<&mut Vec<Event>>,
     ) -> Result<(Triangulation, Stats), Error> {
-        let (mut skip_list, mut linear) = (SkipList::default(), Linear::default());
         let mut stats = Stats::default();
         let mut watch = Watch::new().stats(&mut stats);
-        match self.front {
-            Front::Hash => {}
-            Front::SkipList => watch = watch.front(&mut skip_list),
-            Front::Linear => watch = watch.front(&mut linear),
-        }
+        let mut settings = self.settings;
         let mut push;
-        let mut algorithm = self.method.into();
         if let Some(steps) = steps {
-            algorithm = Algorithm::Paper;
+            settings.algorithm = Algorithm::Paper;
             push = |event| steps.push(event);
             watch = watch.events(&mut push);
         }
-        let triangulator =
-            Triangulator::new()
-                .algorithm(algorithm)
-                .heuristics(match self.heuristics {
-                    Preset::Fast => Heuristics::FAST,
-                    Preset::Paper => Heuristics::PAPER,
-                    Preset::Off => Heuristics::OFF,
-                });
-        let result = triangulator.run(points, edges, watch)?;
+        let result = settings.run(points, edges, watch)?;
         Ok((result, stats))
     }
 
@@ -63,28 +70,9 @@ impl Settings {
         file: &'a GraphFile<S>,
         result: &'a Triangulation,
     ) -> Option<Result<Interior<'a>, InteriorError>> {
-        let graph = &file.graph;
-        let rule = match self.inside {
-            Inside::Default if !graph.holes.is_empty() => Inside::Holes,
-            Inside::Default if !file.polygons.is_empty() => {
-                return Some(file.polygons.interior(result));
-            }
-            Inside::Default => Inside::Hull,
-            rule => rule,
-        };
-        match rule {
-            Inside::EvenOdd => Some(result.interior(FillRule::EvenOdd)),
-            Inside::Nonzero => Some(result.interior(FillRule::NonZero)),
-            Inside::Holes => {
-                let seeds = graph.regions.iter().map(|region| region.seed.clone());
-                let regions: Vec<[S; 2]> = seeds.collect();
-                Some(
-                    result
-                        .with_points(&graph.points)
-                        .interior_of_seeds(&graph.holes, &regions),
-                )
-            }
-            Inside::Hull | Inside::Default => None,
-        }
+        let default =
+            || Inside::default_of(!file.graph.holes.is_empty(), !file.polygons.is_empty());
+        let rule = self.inside.unwrap_or_else(default);
+        (rule != Inside::HULL).then(|| rule.interior(&file.into(), result))
     }
 }

@@ -1,0 +1,30 @@
+//! What the front ends of [`sweep_cdt`] share: the command, the package for Python, and the page that computes.
+//!
+//! A front end reads an input, asks here, and prints. So a rule has one name everywhere, and all front ends give the same
+//! verdict and the same advice on the same triangles.
+//!
+//! [`Inside`] is a rule by its name, and finds the interior of an [`Input`]. [`Question`] verifies triangles within a
+//! domain, and says what to do where they are wrong ([`Advice`]). [`Settings`] are the algorithm, the front and the
+//! heuristics by their names.
+
+mod advice;
+mod inside;
+mod question;
+mod sentence;
+mod settings;
+mod verdict;
+mod wanted;
+
+pub use advice::{Advice, Fit, How, Setting, Several};
+pub use inside::{Input, Inside};
+pub use question::{Question, Triangulate, Verify};
+pub use sentence::Words;
+pub use settings::{
+    ALGORITHMS, Choice, FRONTS, FrontKind, HEURISTICS, Settings, UnknownName, chosen,
+};
+pub use verdict::{Answer, Verdict, counts, headline};
+
+/// The example of the README, as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
