@@ -1,6 +1,7 @@
 //! After every edit of random histories the triangulation is that of a fresh run, on degenerate points.
 
 use sweep_cdt::scalar::Scalar;
+use sweep_cdt_edit::Edits;
 use sweep_cdt_testing::{Random, edits};
 
 /// Points of a kind: few places, so that many are equal, on lines and on circles.
@@ -68,7 +69,7 @@ fn histories<S: Scalar + Clone>(convert: impl Fn(i64) -> S, default: usize) {
             let most = [1, 3, 10][history % 3];
             let what = format!("{name}, history {history}");
             let point = |random: &mut Random| point(random).map(&convert);
-            made += edits::history(&mut random, 30, most, &what, point)[0];
+            made += edits::history(&mut random, Edits::default(), [30, most], &what, point)[0];
         }
         assert!(made > 10 * histories, "{name}: {made} batches were made");
     }

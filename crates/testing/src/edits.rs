@@ -103,23 +103,26 @@ fn assert_refused<S: Scalar + Clone>(
     }
 }
 
-/// Makes batches of edits of at most so many points and edges each, and compares the triangulation with a fresh run after
-/// each. `point` gives new points. Returns how many batches were made and how many were refused.
+/// Makes the first batch of edits, and then so many others of at most so many points and edges each. Compares the
+/// triangulation with a fresh run after each. `point` gives new points. Returns how many batches were made and how many
+/// were refused.
 ///
 /// # Panics
 /// If they differ.
 pub fn history<S: Scalar + Clone>(
     random: &mut Random,
-    batches: usize,
-    most: usize,
+    first: Edits<S>,
+    [batches, most]: [usize; 2],
     what: &str,
     mut point: impl FnMut(&mut Random) -> [S; 2],
 ) -> [usize; 2] {
     let mut edited = DynamicTriangulation::new();
     let mut counts = [0; 2];
-    for step in 0..batches {
+    let mut first = Some(first);
+    for step in 0..=batches {
         let what = format!("{what}, step {step}");
-        let edits = batch(random, &edited, most, &mut point);
+        let edits = first.take();
+        let edits = edits.unwrap_or_else(|| batch(random, &edited, most, &mut point));
         let before = edited.clone();
         match edited.apply(edits.clone()) {
             Ok(change) => {

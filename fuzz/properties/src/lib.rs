@@ -11,6 +11,7 @@ pub mod bytes;
 pub mod canonical;
 pub mod crossings;
 pub mod differential;
+pub mod edits;
 pub mod file;
 pub mod formats;
 pub mod fronts;

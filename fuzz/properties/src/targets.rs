@@ -8,7 +8,8 @@ use sweep_cdt_testing::generators::{self, BYTES};
 
 use crate::file::File;
 use crate::{
-    bits, canonical, differential, formats, fronts, replay, scalars, shown, stream, valid, verify,
+    bits, canonical, differential, edits, formats, fronts, replay, scalars, shown, stream, valid,
+    verify,
 };
 
 /// The choice made by the bytes before those of the generated input, and these bytes.
@@ -76,6 +77,7 @@ pub const TARGETS: &[Target] = &[
         leads: WINDOWS,
         ..CHOOSING.named("stream", stream::test)
     },
+    CHOOSING.named("edits", edits::test),
 ];
 
 /// A target whose bytes are those of a generated input.

@@ -1,0 +1,3 @@
+#![no_main]
+
+sweep_cdt_properties::target!(edits);
