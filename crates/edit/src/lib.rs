@@ -6,8 +6,10 @@ mod error;
 mod hints;
 mod locate;
 mod mesh;
+mod placed;
 mod points;
 mod region;
+mod sweep;
 mod triangulation;
 mod walk;
 

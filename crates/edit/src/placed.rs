@@ -1,0 +1,134 @@
+//! What of a call's result lies inside the border of a region, and its way into the mesh.
+//!
+//! Why it is right: a side of the border is an edge of the call, so it is a side of the result. What is reached from its
+//! left without crossing the border is inside. Cost: O(k log k) for k triangles of the result.
+
+use sweep_cdt::Triangulation;
+
+use crate::mesh::{Mesh, NONE, next, prev, side_of};
+use crate::region::{Border, Piece, Region};
+
+/// The result of a call, and what of it lies inside the border.
+pub(crate) struct Placed<'a> {
+    swept: &'a Triangulation,
+    /// The constrained sides with their ends, sorted.
+    sides: Vec<([usize; 2], [usize; 2])>,
+    /// For each side of the border, as ends in the call, where the triangle inside it stands.
+    border: Vec<[usize; 2]>,
+    is_kept: Vec<bool>,
+}
+
+impl<'a> Placed<'a> {
+    pub(crate) fn new(
+        swept: &'a Triangulation,
+        border: &[Border],
+        local: impl Fn(u32) -> usize,
+    ) -> Placed<'a> {
+        let sides = (0..swept.len()).flat_map(|t| [0, 1, 2].map(|k| (swept.side(t, k), [t, k])));
+        let mut sides: Vec<_> = sides
+            .filter(|&(_, [t, k])| swept.is_constrained(t, k))
+            .collect();
+        sides.sort_unstable();
+        let mut placed = Placed {
+            swept,
+            sides,
+            border: border.iter().map(|side| side.ends.map(&local)).collect(),
+            is_kept: vec![border.is_empty(); swept.len()],
+        };
+        placed.flood();
+        placed
+    }
+
+    /// The triangle and the side with these ends on its left, if it is constrained.
+    fn side(&self, ends: [usize; 2]) -> Option<[usize; 2]> {
+        let found = self.sides.binary_search_by_key(&ends, |&(ends, _)| ends);
+        found.ok().map(|i| self.sides[i].1)
+    }
+
+    fn flood(&mut self) {
+        let sides = self.border.iter().filter_map(|&ends| self.side(ends));
+        let closed: Vec<[usize; 2]> = sides.collect();
+        let mut is_closed = vec![[false; 3]; self.swept.len()];
+        for &[t, k] in &closed {
+            is_closed[t][k] = true;
+        }
+        let mut waiting: Vec<usize> = closed.into_iter().map(|[t, _]| t).collect();
+        while let Some(t) = waiting.pop() {
+            if std::mem::replace(&mut self.is_kept[t], true) {
+                continue;
+            }
+            for (k, is_closed) in is_closed[t].into_iter().enumerate() {
+                waiting.extend(self.swept.neighbor(t, k).filter(|_| !is_closed));
+            }
+        }
+    }
+
+    /// Puts the triangles that are kept in the place of the region. Returns their numbers.
+    pub(crate) fn put(
+        &self,
+        mesh: &mut Mesh,
+        region: &Region,
+        vertices: &[u32],
+        border: &[Border],
+        pieces: &[Piece],
+    ) -> Vec<u32> {
+        let swept = self.swept;
+        for &t in &region.triangles {
+            mesh.kill(t);
+        }
+        let mut slot = vec![NONE; swept.len()];
+        let mut found = Vec::new();
+        for t in (0..swept.len()).filter(|&t| self.is_kept[t]) {
+            slot[t] = mesh.add(swept.triangle(t).map(|v| vertices[v]));
+            found.push(slot[t]);
+        }
+        for t in (0..swept.len()).filter(|&t| self.is_kept[t]) {
+            for k in 0..3 {
+                if let Some((across, side)) = swept.twin(t, k).filter(|&(t, _)| self.is_kept[t]) {
+                    mesh.set_twin(side_of(slot[t], k), side_of(slot[across], side));
+                }
+            }
+        }
+        // A corner at each vertex; beyond the border, if all of its triangles are there.
+        let mut at = vec![NONE; vertices.len()];
+        for (side, &[a, b]) in border.iter().zip(&self.border) {
+            if side.across != NONE {
+                at[a] = prev(side.across);
+                at[b] = next(side.across);
+                mesh.set_twin(side.across, NONE);
+            }
+        }
+        for t in (0..swept.len()).filter(|&t| self.is_kept[t]) {
+            for (k, v) in swept.triangle(t).into_iter().enumerate() {
+                at[v] = side_of(slot[t], k);
+            }
+        }
+        for (&v, corner) in vertices.iter().zip(at) {
+            mesh.set_at(v, corner);
+        }
+        for (side, &ends) in border.iter().zip(&self.border) {
+            let Some([t, k]) = self.side(ends) else {
+                continue;
+            };
+            let inner = side_of(slot[t], k);
+            mesh.set_twin(inner, side.across);
+            mesh.set_covers(inner, side.covers);
+            if side.across != NONE {
+                mesh.set_twin(side.across, inner);
+            }
+        }
+        for (i, piece) in pieces.iter().enumerate() {
+            let chain: Vec<usize> = swept.edge_chain(border.len() + i).collect();
+            for pair in chain.windows(2) {
+                for ends in [[pair[0], pair[1]], [pair[1], pair[0]]] {
+                    let Some([t, k]) = self.side(ends).filter(|&[t, _]| self.is_kept[t]) else {
+                        continue;
+                    };
+                    let side = side_of(slot[t], k);
+                    mesh.set_covers(side, mesh.covers(side) + piece.covers);
+                }
+            }
+        }
+        found
+    }
+}
