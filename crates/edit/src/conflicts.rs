@@ -3,7 +3,7 @@
 //! A new point leaves a triangle wrong that sees it and has it inside its circle; or on it, if the rule for ties says
 //! so: of vertices on one circle all diagonals end at the first one, by x and then from above. These triangles hang
 //! together, across sides that are free, with the triangle in which the point lies. Beyond the hull the sides that see
-//! the point count as triangles. Cost: linear in what is found, and an exact sign for each neighbour.
+//! the point count as triangles. Cost: O(k log k) for k triangles found, and an exact sign for each neighbour.
 
 use std::collections::BTreeSet;
 
@@ -29,12 +29,10 @@ impl<S: Scalar + Clone> DynamicTriangulation<S> {
                 }
             }
         }
-        let (mut seen, mut seen_beyond) = (std::mem::take(&mut self.seen), BTreeSet::new());
-        seen.resize(self.mesh.bound(), 0);
-        self.round += 1;
+        let (mut seen, mut seen_beyond) = (BTreeSet::new(), BTreeSet::new());
         loop {
             if let Some(t) = faces.pop() {
-                if std::mem::replace(&mut seen[t as usize], self.round) == self.round {
+                if !seen.insert(t) {
                     continue;
                 }
                 self.region.add(t);
@@ -61,7 +59,6 @@ impl<S: Scalar + Clone> DynamicTriangulation<S> {
                 break;
             }
         }
-        self.seen = seen;
     }
 
     /// Whether a vertex beyond a side leaves the triangle of the side wrong.

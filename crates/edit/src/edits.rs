@@ -427,7 +427,8 @@ impl<S: Scalar + Clone> DynamicTriangulation<S> {
         let [gone, new] = if is_told {
             self.mesh.read()
         } else {
-            self.mesh.forget()
+            self.mesh.forget();
+            Default::default()
         };
         let named = |points: &Points<S>, list: Vec<[u32; 3]>| {
             let named = list.into_iter().map(|t| turned(t.map(|v| points.name(v))));

@@ -66,11 +66,6 @@ impl Mesh {
         self.triangles.len() - self.free.len()
     }
 
-    /// The numbers below which all triangles lie.
-    pub(crate) fn bound(&self) -> usize {
-        self.triangles.len()
-    }
-
     /// The vertices of a triangle, if it is alive.
     pub(crate) fn triangle(&self, t: u32) -> Option<[u32; 3]> {
         let vertices = self.triangles.get(t as usize)?.vertices;
@@ -179,6 +174,13 @@ impl Mesh {
         self.free.push(t);
     }
 
+    /// Sets what is across a side of a triangle that has just been added, which no journal need remember.
+    pub(crate) fn begin(&mut self, side: u32, twin: u32, covers: u32) {
+        let triangle = &mut self.triangles[side as usize / 3];
+        triangle.twins[side as usize % 3] = twin;
+        triangle.covers[side as usize % 3] = covers;
+    }
+
     pub(crate) fn set_twin(&mut self, side: u32, twin: u32) {
         self.journal.push(Before::Twin(side, self.twin(side)));
         self.triangles[side as usize / 3].twins[side as usize % 3] = twin;
@@ -221,9 +223,8 @@ impl Mesh {
     }
 
     /// Ends the journal.
-    pub(crate) fn forget(&mut self) -> [Vec<[u32; 3]>; 2] {
+    pub(crate) fn forget(&mut self) {
         self.journal.clear();
-        [Vec::new(), Vec::new()]
     }
 
     /// Ends the journal: the triangles that are gone since it was read last, and those that are new. One that came and

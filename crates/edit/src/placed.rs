@@ -76,59 +76,48 @@ impl<'a> Placed<'a> {
         for &t in &region.triangles {
             mesh.kill(t);
         }
+        let kept = || (0..swept.len()).filter(|&t| self.is_kept[t]);
         let mut slot = vec![NONE; swept.len()];
-        let mut found = Vec::new();
-        for t in (0..swept.len()).filter(|&t| self.is_kept[t]) {
+        for t in kept() {
             slot[t] = mesh.add(swept.triangle(t).map(|v| vertices[v]));
-            found.push(slot[t]);
-        }
-        for t in (0..swept.len()).filter(|&t| self.is_kept[t]) {
-            for k in 0..3 {
-                if let Some((across, side)) = swept.twin(t, k).filter(|&(t, _)| self.is_kept[t]) {
-                    mesh.set_twin(side_of(slot[t], k), side_of(slot[across], side));
-                }
-            }
         }
         // A corner at each vertex; beyond the border, if all of its triangles are there.
         let mut at = vec![NONE; vertices.len()];
         for (side, &[a, b]) in border.iter().zip(&self.border) {
+            let inner = self.side([a, b]).map_or(NONE, |[t, k]| side_of(slot[t], k));
             if side.across != NONE {
                 at[a] = prev(side.across);
                 at[b] = next(side.across);
-                mesh.set_twin(side.across, NONE);
+                mesh.set_twin(side.across, inner);
+            }
+            if inner != NONE {
+                mesh.begin(inner, side.across, side.covers);
             }
         }
-        for t in (0..swept.len()).filter(|&t| self.is_kept[t]) {
+        for t in kept() {
             for (k, v) in swept.triangle(t).into_iter().enumerate() {
-                at[v] = side_of(slot[t], k);
+                let side = side_of(slot[t], k);
+                at[v] = side;
+                if let Some((across, twin)) = swept.twin(t, k).filter(|&(t, _)| self.is_kept[t]) {
+                    mesh.begin(side, side_of(slot[across], twin), 0);
+                }
             }
         }
         for (&v, corner) in vertices.iter().zip(at) {
             mesh.set_at(v, corner);
         }
-        for (side, &ends) in border.iter().zip(&self.border) {
-            let Some([t, k]) = self.side(ends) else {
-                continue;
-            };
-            let inner = side_of(slot[t], k);
-            mesh.set_twin(inner, side.across);
-            mesh.set_covers(inner, side.covers);
-            if side.across != NONE {
-                mesh.set_twin(side.across, inner);
-            }
-        }
         for (i, piece) in pieces.iter().enumerate() {
             let chain: Vec<usize> = swept.edge_chain(border.len() + i).collect();
             for pair in chain.windows(2) {
                 for ends in [[pair[0], pair[1]], [pair[1], pair[0]]] {
-                    let Some([t, k]) = self.side(ends).filter(|&[t, _]| self.is_kept[t]) else {
-                        continue;
-                    };
-                    let side = side_of(slot[t], k);
-                    mesh.set_covers(side, mesh.covers(side) + piece.covers);
+                    if let Some([t, k]) = self.side(ends).filter(|&[t, _]| self.is_kept[t]) {
+                        let side = side_of(slot[t], k);
+                        mesh.begin(side, mesh.twin(side), mesh.covers(side) + piece.covers);
+                    }
                 }
             }
         }
-        found
+        slot.retain(|&t| t != NONE);
+        slot
     }
 }

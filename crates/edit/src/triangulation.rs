@@ -29,10 +29,6 @@ pub struct DynamicTriangulation<S> {
     pub(crate) local: Vec<u32>,
     /// New vertices that equal others.
     pub(crate) same: BTreeMap<u32, u32>,
-    /// For each triangle the search that saw it last.
-    pub(crate) seen: Vec<u32>,
-    /// The number of the last search.
-    pub(crate) round: u32,
 }
 
 impl<S> Default for DynamicTriangulation<S> {
@@ -47,8 +43,6 @@ impl<S> Default for DynamicTriangulation<S> {
             region: Region::default(),
             local: Vec::new(),
             same: BTreeMap::new(),
-            seen: Vec::new(),
-            round: 0,
         }
     }
 }
