@@ -122,7 +122,8 @@ impl<'a> Verifier<'a> {
 
     /// Verifies the attributes of triangles: each triangle must have the attribute of the region that it lies in.
     /// `attributes` has one for each triangle, `seeds` for each region the triangle in which its seed lies and its
-    /// attribute; of several in a face the last counts, as for Triangle. This check is part of [`Level::Constrained`], and is made where the triangles reach it otherwise.
+    /// attribute; of several in a face the last counts, as for Triangle. This check is part of [`Level::Constrained`],
+    /// and is made where the triangles reach it otherwise.
     ///
     /// ```
     /// use sweep_cdt::verify::Verifier;

@@ -2,7 +2,8 @@
 //!
 //! A new point leaves a triangle wrong that sees it and has it inside its circle; or on it, if the rule for ties says
 //! so: of vertices on one circle all diagonals end at the first one, by x and then from above. These triangles hang
-//! together, across sides that are free, with the triangle in which the point lies. Beyond the hull the sides that see
+//! together, across sides that are free, with the triangle in which the point lies. (More would do no harm: a region
+//! may be too large.) Beyond the hull the sides that see
 //! the point count as triangles. Cost: O(k log k) for k triangles found, and an exact sign for each neighbour.
 
 use std::collections::BTreeSet;

@@ -356,7 +356,7 @@ impl<S: Scalar + Clone> DynamicTriangulation<S> {
         let mut pieces = Vec::new();
         for (i, ends) in edges.iter().enumerate() {
             let ends = ends.map(|point| self.end(point, vertices));
-            pieces.extend(self.pierce(ends, self.edges.len() + i)?);
+            pieces.extend(self.pierce(ends, self.edges.len() + i));
         }
         // A part that is a side and stays one is covered once more.
         let mut swept = Vec::new();

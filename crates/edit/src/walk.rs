@@ -3,7 +3,6 @@
 
 use sweep_cdt::scalar::{Scalar, orient2d};
 
-use crate::error::EditError;
 use crate::mesh::{NONE, next, prev};
 use crate::region::Piece;
 use crate::triangulation::DynamicTriangulation;
@@ -48,17 +47,17 @@ impl<S: Scalar + Clone> DynamicTriangulation<S> {
         sides
     }
 
-    /// Adds what a new edge pierces to the region. Returns its parts, with the sides of those that are sides.
+    /// Adds what a new edge pierces to the region; where that is another edge, the sweep names both. Returns its parts, with the sides of those that are sides.
     pub(crate) fn pierce(
         &mut self,
         [mut v, end]: [u32; 2],
         edge: usize,
-    ) -> Result<Vec<(Piece, Option<u32>)>, EditError> {
+    ) -> Vec<(Piece, Option<u32>)> {
         let mut pieces = Vec::new();
         while v != end {
             let (w, side) = match self.step(v, end) {
                 Step::Side(side, w) => (w, Some(side)),
-                Step::Pierces(side) => (self.pierce_from(v, end, side, edge)?, None),
+                Step::Pierces(side) => (self.pierce_from(v, end, side), None),
             };
             let ends = [v, w];
             let covers = 1;
@@ -66,35 +65,20 @@ impl<S: Scalar + Clone> DynamicTriangulation<S> {
             pieces.push((Piece { ends, covers, edge }, side));
             v = w;
         }
-        Ok(pieces)
+        pieces
     }
 
     /// Follows an edge from vertex `v` through a side, to the next vertex on it.
-    fn pierce_from(
-        &mut self,
-        v: u32,
-        end: u32,
-        mut side: u32,
-        edge: usize,
-    ) -> Result<u32, EditError> {
+    fn pierce_from(&mut self, v: u32, end: u32, mut side: u32) -> u32 {
         self.region.add(side / 3);
         loop {
-            if self.mesh.covers(side) > 0 {
-                let (ends, covers) = (self.mesh.ends(side), 1);
-                let other = self.edge_over(Piece {
-                    ends,
-                    covers,
-                    edge: None,
-                });
-                return Err(EditError::crossing(edge, other));
-            }
             let across = self.mesh.twin(side);
             debug_assert!(across != NONE, "the hull holds the edge");
             self.region.add(across / 3);
             let apex = self.mesh.apex(across);
             let [a, b, c] = [v, end, apex].map(|v| self.points.place(v));
             side = match orient2d(a, b, c) {
-                sign if sign.is_eq() => return Ok(apex),
+                sign if sign.is_eq() => return apex,
                 // The side across goes from left to right; the apex takes the place of the end on its own side.
                 sign if sign.is_gt() => next(across),
                 _ => prev(across),

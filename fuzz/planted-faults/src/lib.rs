@@ -17,7 +17,7 @@ use serde::Deserialize;
 /// Names the chosen fault in the environment, by its place in the list of all.
 pub const CHOICE: &str = "SWEEP_CDT_FAULT";
 
-const FILES: [&str; 9] = [
+const FILES: [&str; 10] = [
     include_str!("../faults/point.toml"),
     include_str!("../faults/fill.toml"),
     include_str!("../faults/edge.toml"),
@@ -27,6 +27,7 @@ const FILES: [&str; 9] = [
     include_str!("../faults/verify.toml"),
     include_str!("../faults/stream.toml"),
     include_str!("../faults/formats.toml"),
+    include_str!("../faults/edit.toml"),
 ];
 
 /// A file of tables.

@@ -1,15 +1,9 @@
 //! Files on disk, all of each in memory: large ones are read on all cores.
 
 use std::fs::File;
-use std::io::{self, Read, Seek, SeekFrom};
+use std::io::{self, Read};
 
 use crate::read::source::Source;
-use sweep_cdt::threads::on_all_cores;
-
-/// Fewer bytes are read by one thread.
-const LARGE: u64 = 1 << 22;
-/// The bytes that each thread reads at a time.
-const PART: usize = 1 << 20;
 
 impl Source {
     /// All of a file, from where it stands. Of a regular file a large rest is read on all cores, where the system can
@@ -37,7 +31,15 @@ impl Source {
 /// The rest of a regular file, from where it stands, if that is much; otherwise nothing is read.
 #[cfg(unix)]
 fn read_in_parts(file: &mut File) -> io::Result<Vec<u8>> {
+    use std::io::{Seek, SeekFrom};
     use std::os::unix::fs::FileExt;
+
+    use sweep_cdt::threads::on_all_cores;
+
+    /// Fewer bytes are read by one thread.
+    const LARGE: u64 = 1 << 22;
+    /// The bytes that each thread reads at a time.
+    const PART: usize = 1 << 20;
 
     let metadata = file.metadata()?;
     if !metadata.is_file() {
