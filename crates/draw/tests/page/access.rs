@@ -1,5 +1,5 @@
-//! The page for those who do not see it, or use no mouse: what axe-core finds. `.ci/run` installs it; where it is
-//! missing, this test says so and passes, but for continuous integration.
+//! The page for those who do not see it, or use no mouse: what axe-core finds. `.ci/nightly` installs it. Where it is
+//! missing, this test says so and passes, except in continuous integration.
 
 use std::path::Path;
 
