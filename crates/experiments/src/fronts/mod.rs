@@ -20,7 +20,6 @@
 
 mod b_tree;
 mod bit_set;
-mod finger;
 mod parts;
 mod rank_table;
 mod sample_tree;
@@ -31,10 +30,9 @@ mod uniform_table;
 
 pub use b_tree::BTree;
 pub use bit_set::BitSet;
-pub use finger::Finger;
 pub use rank_table::RankTable;
 pub use sample_tree::SampleTree;
-pub use sorted_array::SortedArray;
+pub use sorted_array::{Finger, SortedArray};
 pub use structure::{AnyFront, FromEnd, Structure};
 pub use treap::Treap;
 pub use uniform_table::UniformTable;

@@ -83,138 +83,107 @@ fn through(centres: impl Iterator<Item = [f64; 2]>, edges: usize) -> Input {
 
 /// Edges whose boxes lie in each other's way.
 const BOXES: &[Family] = &[
-    Family {
-        name: "upright, far longer than all are wide",
-        member: |n| hatch(n, |i, _| [[i, 0.0], [i, 1e7 + i % 7.0]]),
-    },
-    Family {
-        name: "level, far longer than all are high",
-        member: |n| hatch(n, |i, _| [[0.0, i], [1e7 + i % 7.0, i]]),
-    },
-    Family {
-        name: "squares in each other",
-        member: |n| {
-            several(n / 4, |i, _| {
-                ring(points(4, |j, _| {
-                    let size = i + 1.0;
-                    [[-size, -size], [size, -size], [size, size], [-size, size]][j as usize]
-                }))
-            })
-        },
-    },
-    Family {
-        name: "crosses in each other",
-        member: |n| {
-            hatch(n, |i, _| {
-                let size = (i / 4.0).floor() + 2.0;
-                match i % 4.0 {
-                    0.0 => [[1.0, size], [size - 1.0, size]],
-                    1.0 => [[-1.0, -size], [1.0 - size, -size]],
-                    2.0 => [[size, -1.0], [size, 1.0 - size]],
-                    _ => [[-size, 1.0], [-size, size - 1.0]],
-                }
-            })
-        },
-    },
-    Family {
-        name: "long level edges, and short ones between them",
-        member: |n| {
-            hatch(n, |i, m| {
-                if i % 2.0 < 1.0 {
-                    [[0.0, i], [m, i]]
-                } else {
-                    let x = noise(i) * m;
-                    [[x, i - 0.25], [x + 1.0, i + 0.25]]
-                }
-            })
-        },
-    },
-    Family {
-        name: "long upright edges, and short ones between them",
-        member: |n| {
-            hatch(n, |i, m| {
-                if i % 2.0 < 1.0 {
-                    [[i, 0.0], [i, m]]
-                } else {
-                    let y = noise(i) * m;
-                    [[i - 0.25, y], [i + 0.25, y + 1.0]]
-                }
-            })
-        },
-    },
-    Family {
-        name: "long slanted edges, and short ones between them",
-        member: |n| {
-            hatch(n, |i, m| {
-                if i % 2.0 < 1.0 {
-                    [[i, 0.0], [i + m, m]]
-                } else {
-                    let y = noise(i) * m;
-                    [[i + y - 0.25, y], [i + y + 0.25, y + 0.25]]
-                }
-            })
-        },
-    },
-    Family {
-        name: "bundles of sixteen that cross",
-        member: |n| {
-            hatch(n, |i, m| {
-                let (bundle, in_bundle) = ((i / 16.0).floor(), i % 16.0 / 32.0);
-                [
-                    [bundle + in_bundle, 0.0],
-                    [
-                        bundle + m / 16.0 + 0.5 - in_bundle + 0.01 * noise(i),
-                        m / 16.0,
-                    ],
-                ]
-            })
-        },
-    },
-    Family {
-        name: "rays",
-        member: |n| {
-            hatch(n, |i, m| {
-                let (sin, cos) = (TAU * i / m).sin_cos();
-                [[cos, sin], [cos * m, sin * m]]
-            })
-        },
-    },
-    Family {
-        name: "asterisk through a vertex",
-        member: |n| through([[0.0; 2]].into_iter(), n),
-    },
-    Family {
-        name: "asterisks of sixty-four through vertices",
-        member: |n| through((0..n / 64).map(|i| [3.0 * i as f64, 0.0]), 64),
-    },
-    Family {
-        name: "level edges through the vertices of four rails",
-        member: |n| {
-            let mut input = hatch(2 * n, |i, _| [[-1.0, i], [4.0, i]]);
-            for rail in 0..4 {
-                let [x, m] = [f64::from(rail), n as f64];
-                input
-                    .edges
-                    .push([input.points.len(), input.points.len() + 1]);
-                input.points.extend([[x, -1.0], [x, m]]);
-                input.points.extend((0..n).map(|i| [x, i as f64]));
+    Family::new("upright, far longer than all are wide", |n| {
+        hatch(n, |i, _| [[i, 0.0], [i, 1e7 + i % 7.0]])
+    }),
+    Family::new("level, far longer than all are high", |n| {
+        hatch(n, |i, _| [[0.0, i], [1e7 + i % 7.0, i]])
+    }),
+    Family::new("squares in each other", |n| {
+        several(n / 4, |i, _| {
+            ring(points(4, |j, _| {
+                let size = i + 1.0;
+                [[-size, -size], [size, -size], [size, size], [-size, size]][j as usize]
+            }))
+        })
+    }),
+    Family::new("crosses in each other", |n| {
+        hatch(n, |i, _| {
+            let size = (i / 4.0).floor() + 2.0;
+            match i % 4.0 {
+                0.0 => [[1.0, size], [size - 1.0, size]],
+                1.0 => [[-1.0, -size], [1.0 - size, -size]],
+                2.0 => [[size, -1.0], [size, 1.0 - size]],
+                _ => [[-size, 1.0], [-size, size - 1.0]],
             }
-            input
-        },
-    },
-    Family {
-        name: "staircase of long steps",
-        member: |n| {
-            hatch(n, |i, m| {
+        })
+    }),
+    Family::new("long level edges, and short ones between them", |n| {
+        hatch(n, |i, m| {
+            if i % 2.0 < 1.0 {
+                [[0.0, i], [m, i]]
+            } else {
+                let x = noise(i) * m;
+                [[x, i - 0.25], [x + 1.0, i + 0.25]]
+            }
+        })
+    }),
+    Family::new("long upright edges, and short ones between them", |n| {
+        hatch(n, |i, m| {
+            if i % 2.0 < 1.0 {
+                [[i, 0.0], [i, m]]
+            } else {
+                let y = noise(i) * m;
+                [[i - 0.25, y], [i + 0.25, y + 1.0]]
+            }
+        })
+    }),
+    Family::new("long slanted edges, and short ones between them", |n| {
+        hatch(n, |i, m| {
+            if i % 2.0 < 1.0 {
+                [[i, 0.0], [i + m, m]]
+            } else {
+                let y = noise(i) * m;
+                [[i + y - 0.25, y], [i + y + 0.25, y + 0.25]]
+            }
+        })
+    }),
+    Family::new("bundles of sixteen that cross", |n| {
+        hatch(n, |i, m| {
+            let (bundle, in_bundle) = ((i / 16.0).floor(), i % 16.0 / 32.0);
+            [
+                [bundle + in_bundle, 0.0],
                 [
-                    [i, i],
-                    if i % 2.0 < 1.0 {
-                        [i + m, i]
-                    } else {
-                        [i, i - m]
-                    },
-                ]
-            })
-        },
-    },
+                    bundle + m / 16.0 + 0.5 - in_bundle + 0.01 * noise(i),
+                    m / 16.0,
+                ],
+            ]
+        })
+    }),
+    Family::new("rays", |n| {
+        hatch(n, |i, m| {
+            let (sin, cos) = (TAU * i / m).sin_cos();
+            [[cos, sin], [cos * m, sin * m]]
+        })
+    }),
+    Family::new("asterisk through a vertex", |n| {
+        through([[0.0; 2]].into_iter(), n)
+    }),
+    Family::new("asterisks of sixty-four through vertices", |n| {
+        through((0..n / 64).map(|i| [3.0 * i as f64, 0.0]), 64)
+    }),
+    Family::new("level edges through the vertices of four rails", |n| {
+        let mut input = hatch(2 * n, |i, _| [[-1.0, i], [4.0, i]]);
+        for rail in 0..4 {
+            let [x, m] = [f64::from(rail), n as f64];
+            input
+                .edges
+                .push([input.points.len(), input.points.len() + 1]);
+            input.points.extend([[x, -1.0], [x, m]]);
+            input.points.extend((0..n).map(|i| [x, i as f64]));
+        }
+        input
+    }),
+    Family::new("staircase of long steps", |n| {
+        hatch(n, |i, m| {
+            [
+                [i, i],
+                if i % 2.0 < 1.0 {
+                    [i + m, i]
+                } else {
+                    [i, i - m]
+                },
+            ]
+        })
+    }),
 ];

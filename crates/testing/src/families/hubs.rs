@@ -6,70 +6,49 @@ use super::points::{Family, points};
 use crate::Input;
 
 pub(super) const HUBS: &[Family] = &[
-    Family {
-        name: "star at one upper end",
-        member: |n| star(n, |n| [n / 2.0, n]),
-    },
-    Family {
-        name: "star at one lower end",
-        member: |n| star(n, |n| [n / 2.0, -n]),
-    },
-    Family {
-        name: "asterisk",
-        member: |n| asterisk(n, &[[0.0, 0.0]]),
-    },
-    Family {
-        name: "two linked asterisks",
-        member: |n| {
-            let mut input = asterisk(n, &[[0.0, 0.0], [8.0, 1.0]]);
-            // The centres come last.
-            let last = input.points.len() - 1;
-            input.edges.push([last - 1, last]);
-            input
-        },
-    },
-    Family {
-        name: "asterisk in integer directions",
-        member: |n| {
-            let side = (n as f64).sqrt().ceil();
-            let mut input = points(n / 2, |i, _| {
-                // Directions of the upper half plane; several edges lie on one line.
-                [i % side - (side / 2.0).floor(), (i / side).floor() + 1.0]
-            });
-            let mirrored: Vec<_> = input.points.iter().map(|&[x, y]| [-x, -y]).collect();
-            let m = mirrored.len();
-            input.points.extend(mirrored);
-            input.points.push([0.0, 0.0]);
-            input.edges = (0..m).map(|i| [i, i + m]).collect();
-            input
-        },
-    },
-    Family {
-        name: "edges through many vertices",
-        member: |n| {
-            // A lattice with one edge along each row and each column.
-            let side = (n as f64).sqrt().floor();
-            let mut input = points((side * side) as usize, |i, _| {
-                [i % side, (i / side).floor()]
-            });
-            let side = side as usize;
-            input.edges = (0..side)
-                .map(|row| [row * side, row * side + side - 1])
-                .collect();
-            input
-                .edges
-                .extend((0..side).map(|column| [column, (side - 1) * side + column]));
-            input
-        },
-    },
-    Family {
-        name: "one edge many times",
-        member: |n| {
-            let mut input = points(n, |i, _| [i, 0.0]);
-            input.edges = vec![[0, n - 1]; n];
-            input
-        },
-    },
+    Family::new("star at one upper end", |n| star(n, |n| [n / 2.0, n])),
+    Family::new("star at one lower end", |n| star(n, |n| [n / 2.0, -n])),
+    Family::new("asterisk", |n| asterisk(n, &[[0.0, 0.0]])),
+    Family::new("two linked asterisks", |n| {
+        let mut input = asterisk(n, &[[0.0, 0.0], [8.0, 1.0]]);
+        // The centres come last.
+        let last = input.points.len() - 1;
+        input.edges.push([last - 1, last]);
+        input
+    }),
+    Family::new("asterisk in integer directions", |n| {
+        let side = (n as f64).sqrt().ceil();
+        let mut input = points(n / 2, |i, _| {
+            // Directions of the upper half plane; several edges lie on one line.
+            [i % side - (side / 2.0).floor(), (i / side).floor() + 1.0]
+        });
+        let mirrored: Vec<_> = input.points.iter().map(|&[x, y]| [-x, -y]).collect();
+        let m = mirrored.len();
+        input.points.extend(mirrored);
+        input.points.push([0.0, 0.0]);
+        input.edges = (0..m).map(|i| [i, i + m]).collect();
+        input
+    }),
+    Family::new("edges through many vertices", |n| {
+        // A lattice with one edge along each row and each column.
+        let side = (n as f64).sqrt().floor();
+        let mut input = points((side * side) as usize, |i, _| {
+            [i % side, (i / side).floor()]
+        });
+        let side = side as usize;
+        input.edges = (0..side)
+            .map(|row| [row * side, row * side + side - 1])
+            .collect();
+        input
+            .edges
+            .extend((0..side).map(|column| [column, (side - 1) * side + column]));
+        input
+    }),
+    Family::new("one edge many times", |n| {
+        let mut input = points(n, |i, _| [i, 0.0]);
+        input.edges = vec![[0, n - 1]; n];
+        input
+    }),
 ];
 
 /// Points in a band, all joined to one centre.

@@ -8,76 +8,45 @@ use crate::Input;
 
 /// Teeth, combs and spirals.
 pub(super) const CHAINS: &[Family] = &[
-    Family {
-        name: "toothed parabola, flat",
-        member: |n| toothed(n, 1.0 / n as f64),
-    },
-    Family {
-        name: "toothed parabola, steep",
-        member: |n| toothed(n, 1.0),
-    },
-    Family {
-        name: "toothed parabola with its edges",
-        member: |n| path(toothed(n, 1.0 / n as f64)),
-    },
-    Family {
-        name: "edge above a toothed parabola",
-        member: |n| {
-            let mut input = toothed(n, 1.0 / n as f64);
-            input.edges.push([0, input.points.len() - 1]);
-            input
-        },
-    },
-    Family {
-        name: "edge between two toothed parabolas",
-        member: |n| {
-            let mut input = toothed(n / 2, 1.0 / n as f64);
-            let [left, right] = [0, input.points.len() - 1];
-            let top = input.points[left][1];
-            // The mirror image above the edge; the ends are in both.
-            let mirrored: Vec<_> = (input.points[1..right].iter())
-                .map(|&[x, y]| [x, 2.0 * top - y])
-                .collect();
-            input.points.extend(mirrored);
-            input.edges.push([left, right]);
-            input
-        },
-    },
-    Family {
-        name: "edge through teeth",
-        member: |n| {
-            let mut input = points(n, tooth);
-            input.edges.push([0, n - 1]);
-            input
-        },
-    },
-    Family {
-        name: "edge above teeth",
-        member: |n| {
-            let mut input = points(n, |i, n| {
-                let is_end = i < 1.0 || i > n - 1.5;
-                [i, if is_end { 9.0 } else { i % 2.0 }]
-            });
-            input.edges.push([0, n - 1]);
-            input
-        },
-    },
-    Family {
-        name: "comb",
-        member: comb,
-    },
-    Family {
-        name: "comb with its edges",
-        member: |n| path(comb(n)),
-    },
-    Family {
-        name: "spiral",
-        member: spiral,
-    },
-    Family {
-        name: "spiral with its edges",
-        member: |n| path(spiral(n)),
-    },
+    Family::new("toothed parabola, flat", |n| toothed(n, 1.0 / n as f64)),
+    Family::new("toothed parabola, steep", |n| toothed(n, 1.0)),
+    Family::new("toothed parabola with its edges", |n| {
+        path(toothed(n, 1.0 / n as f64))
+    }),
+    Family::new("edge above a toothed parabola", |n| {
+        let mut input = toothed(n, 1.0 / n as f64);
+        input.edges.push([0, input.points.len() - 1]);
+        input
+    }),
+    Family::new("edge between two toothed parabolas", |n| {
+        let mut input = toothed(n / 2, 1.0 / n as f64);
+        let [left, right] = [0, input.points.len() - 1];
+        let top = input.points[left][1];
+        // The mirror image above the edge; the ends are in both.
+        let mirrored: Vec<_> = (input.points[1..right].iter())
+            .map(|&[x, y]| [x, 2.0 * top - y])
+            .collect();
+        input.points.extend(mirrored);
+        input.edges.push([left, right]);
+        input
+    }),
+    Family::new("edge through teeth", |n| {
+        let mut input = points(n, tooth);
+        input.edges.push([0, n - 1]);
+        input
+    }),
+    Family::new("edge above teeth", |n| {
+        let mut input = points(n, |i, n| {
+            let is_end = i < 1.0 || i > n - 1.5;
+            [i, if is_end { 9.0 } else { i % 2.0 }]
+        });
+        input.edges.push([0, n - 1]);
+        input
+    }),
+    Family::new("comb", comb),
+    Family::new("comb with its edges", |n| path(comb(n))),
+    Family::new("spiral", spiral),
+    Family::new("spiral with its edges", |n| path(spiral(n))),
 ];
 
 /// A parabola, and between any two of its vertices one above the curve.
@@ -116,80 +85,47 @@ fn spiral(n: usize) -> Input {
 
 /// Outlines, and squares inside each other.
 pub(super) const OUTLINES: &[Family] = &[
-    Family {
-        name: "square",
-        member: |n| outline(n, SQUARE),
-    },
-    Family {
-        name: "square with its edges",
-        member: |n| ring(outline(n, SQUARE)),
-    },
-    Family {
-        name: "rectangle",
-        member: |n| outline(n, &[[0.0, 0.0], [5.0, 0.0], [5.0, 1.0], [0.0, 1.0]]),
-    },
-    Family {
-        name: "triangle",
-        member: |n| outline(n, &[[0.0, 0.0], [4.0, 0.5], [1.0, 3.0]]),
-    },
-    Family {
-        name: "hexagon",
-        member: |n| {
-            let corners = [0, 1, 2, 3, 4, 5].map(|i| {
-                let angle = TAU * f64::from(i) / 6.0;
-                [angle.cos(), angle.sin()]
-            });
-            outline(n, &corners)
-        },
-    },
-    Family {
-        name: "plus",
-        member: |n| outline(n, PLUS),
-    },
-    Family {
-        name: "plus with its edges",
-        member: |n| ring(outline(n, PLUS)),
-    },
-    Family {
-        name: "T",
-        member: |n| outline(n, T),
-    },
-    Family {
-        name: "T with its edges",
-        member: |n| ring(outline(n, T)),
-    },
-    Family {
-        name: "L",
-        member: |n| {
-            let l = [
-                [0.0, 0.0],
-                [3.0, 0.0],
-                [3.0, 1.0],
-                [1.0, 1.0],
-                [1.0, 3.0],
-                [0.0, 3.0],
-            ];
-            outline(n, &l)
-        },
-    },
-    Family {
-        name: "flat ellipse",
-        member: |n| points(n, |i, n| [(TAU * i / n).cos(), 0.05 * (TAU * i / n).sin()]),
-    },
-    Family {
-        name: "nested squares",
-        member: nested,
-    },
-    Family {
-        name: "nested squares with their edges",
-        member: |n| {
-            let mut input = nested(n);
-            input.edges = (0..input.points.len())
-                .map(|i| [i, if i % 4 == 3 { i - 3 } else { i + 1 }])
-                .collect();
-            input
-        },
-    },
+    Family::new("square", |n| outline(n, SQUARE)),
+    Family::new("square with its edges", |n| ring(outline(n, SQUARE))),
+    Family::new("rectangle", |n| {
+        outline(n, &[[0.0, 0.0], [5.0, 0.0], [5.0, 1.0], [0.0, 1.0]])
+    }),
+    Family::new("triangle", |n| {
+        outline(n, &[[0.0, 0.0], [4.0, 0.5], [1.0, 3.0]])
+    }),
+    Family::new("hexagon", |n| {
+        let corners = [0, 1, 2, 3, 4, 5].map(|i| {
+            let angle = TAU * f64::from(i) / 6.0;
+            [angle.cos(), angle.sin()]
+        });
+        outline(n, &corners)
+    }),
+    Family::new("plus", |n| outline(n, PLUS)),
+    Family::new("plus with its edges", |n| ring(outline(n, PLUS))),
+    Family::new("T", |n| outline(n, T)),
+    Family::new("T with its edges", |n| ring(outline(n, T))),
+    Family::new("L", |n| {
+        let l = [
+            [0.0, 0.0],
+            [3.0, 0.0],
+            [3.0, 1.0],
+            [1.0, 1.0],
+            [1.0, 3.0],
+            [0.0, 3.0],
+        ];
+        outline(n, &l)
+    }),
+    Family::new("flat ellipse", |n| {
+        points(n, |i, n| [(TAU * i / n).cos(), 0.05 * (TAU * i / n).sin()])
+    }),
+    Family::new("nested squares", nested),
+    Family::new("nested squares with their edges", |n| {
+        let mut input = nested(n);
+        input.edges = (0..input.points.len())
+            .map(|i| [i, if i % 4 == 3 { i - 3 } else { i + 1 }])
+            .collect();
+        input
+    }),
 ];
 
 const SQUARE: &[[f64; 2]] = &[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
