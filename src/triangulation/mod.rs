@@ -172,6 +172,12 @@ impl Triangulation {
         self.chains.chain(e).map(|v| v as usize)
     }
 
+    /// How many edges were given. For refinement.
+    #[doc(hidden)]
+    pub fn edge_count(&self) -> usize {
+        self.chains.len()
+    }
+
     #[inline]
     pub(crate) fn input_index(&self, v: VertexId) -> usize {
         self.vertices[v.index()] as usize

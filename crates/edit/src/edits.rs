@@ -120,12 +120,13 @@ impl<S: Scalar + Clone> DynamicTriangulation<S> {
     }
 
     /// Makes all edits, or none. Whoever does not ask is not told of triangles.
-    fn edit(&mut self, mut edits: Edits<S>, is_told: bool) -> Result<Change, EditError> {
+    pub(crate) fn edit(&mut self, mut edits: Edits<S>, is_told: bool) -> Result<Change, EditError> {
         for list in [&mut edits.remove_points, &mut edits.remove_edges] {
             list.sort_unstable();
             list.dedup();
         }
         self.check(&edits)?;
+        self.swept.clear();
         let take = |&e: &usize| (e, self.edges[e].take().expect("an edge that is there"));
         let taken: Vec<(usize, [u32; 2])> = edits.remove_edges.iter().map(take).collect();
         let mut vertices = Vertices::default();

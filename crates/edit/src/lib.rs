@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+mod bounds;
 mod conflicts;
 mod edits;
 mod error;
@@ -8,11 +9,14 @@ mod locate;
 mod mesh;
 mod placed;
 mod points;
+mod refine;
 mod region;
 mod sweep;
 mod triangulation;
 mod walk;
 
+pub use bounds::{Bounds, Broken};
 pub use edits::{Change, Edits};
 pub use error::EditError;
+pub use refine::{Left, Reason, RefineError, Refined, Refinement};
 pub use triangulation::DynamicTriangulation;

@@ -89,6 +89,7 @@ impl<S: Scalar + Clone> DynamicTriangulation<S> {
             }
         }
         self.region.clear();
+        self.swept.extend(&found);
         let across = border
             .iter()
             .map(|side| side.across)

@@ -27,6 +27,8 @@ pub struct DynamicTriangulation<S> {
     pub(crate) region: Region,
     /// For each vertex its place in a call of the session.
     pub(crate) local: Vec<u32>,
+    /// The triangles that the last edit made, and some of which it may have removed again.
+    pub(crate) swept: Vec<u32>,
     /// New vertices that equal others.
     pub(crate) same: BTreeMap<u32, u32>,
 }
@@ -42,6 +44,7 @@ impl<S> Default for DynamicTriangulation<S> {
             session: Triangulator::new().session(),
             region: Region::default(),
             local: Vec::new(),
+            swept: Vec::new(),
             same: BTreeMap::new(),
         }
     }

@@ -1,0 +1,210 @@
+//! Parts of edges: where they are split, and what becomes of their halves.
+//!
+//! A part is split in its middle. At a sharp corner of the input, one where edges meet at less than a right angle, it is
+//! split at a distance from the corner that is a power of two, the one between a third and two thirds of its length: so
+//! parts at one corner have equal lengths, and stop to encroach each other (Ruppert's concentric shells).
+
+use sweep_cdt::crossings::Exact;
+
+use crate::bounds::scalar_product;
+use crate::locate::Place;
+use crate::mesh::{next, prev};
+use crate::refine::Reason;
+use crate::refine::labels::OUTSIDE;
+use crate::refine::work::Work;
+
+/// A part of an edge: one side of the triangulation, until it is split.
+#[derive(Clone, Debug)]
+pub(super) struct Part {
+    /// Its ends, as numbers of points.
+    pub(super) ends: [u32; 2],
+    /// The labels on its left and on its right.
+    pub(super) labels: [u32; 2],
+    /// Whether it meets another part at a sharp corner of the input there.
+    pub(super) is_sharp: [bool; 2],
+    /// The point that splits it, and its halves.
+    pub(super) halves: Option<(u32, [u32; 2])>,
+    /// Why it cannot be split.
+    pub(super) is_whole: Option<Reason>,
+}
+
+/// Where a vertex lies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Kind {
+    /// It is a point of the input.
+    Given,
+    /// It splits an edge; perhaps in a shell around a sharp corner.
+    OnPart(Option<Shell>),
+    /// It was added to a triangle.
+    Free,
+}
+
+/// A circle around a sharp corner, by its point and the radius that was meant, which rounding does not touch.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Shell {
+    corner: u32,
+    radius: f64,
+}
+
+/// Where a part is to be split.
+pub(super) struct Split<S> {
+    pub(super) part: u32,
+    pub(super) place: [S; 2],
+    pub(super) kind: Kind,
+}
+
+impl<S: Exact> Work<'_, '_, S> {
+    /// The side of a part that has its second end on the way from its first, with its left triangle on its left; of a
+    /// part of the hull that may be no side, so then its other direction.
+    pub(super) fn sides_of(&self, part: u32) -> Vec<u32> {
+        let [a, b] = self.parts[part as usize]
+            .ends
+            .map(|point| self.vertex(point));
+        let mesh = &self.mesh.mesh;
+        let corners = mesh.star(a);
+        let found = corners.flat_map(|corner| {
+            let [p, q] = mesh.ends(corner);
+            [
+                (p == b).then(|| prev(corner)),
+                (q == b).then(|| next(corner)),
+            ]
+        });
+        found.flatten().collect()
+    }
+
+    /// Marks the ends of parts at which edges meet at less than a right angle.
+    pub(super) fn find_sharp_corners(&mut self) {
+        let mut ends: Vec<u32> = self.parts.iter().flat_map(|part| part.ends).collect();
+        ends.sort_unstable();
+        ends.dedup();
+        for point in ends {
+            let v = self.vertex(point);
+            let mesh = &self.mesh.mesh;
+            // The vertices at the other ends of parts, counter-clockwise.
+            let mut around = Vec::new();
+            for corner in mesh.star(v) {
+                let [p, q] = mesh.ends(corner);
+                around.extend((mesh.covers(prev(corner)) > 0).then_some(p));
+                around.extend((mesh.covers(next(corner)) > 0).then_some(q));
+            }
+            around.dedup();
+            for i in 0..around.len() {
+                let [p, q] = [around[i], around[(i + 1) % around.len()]];
+                let corners = [p, q, v].map(|v| self.mesh.points.place(v));
+                if p != q && scalar_product(corners).is_gt() {
+                    for other in [p, q] {
+                        let part = self.part_between(point, self.name(other)) as usize;
+                        let part = &mut self.parts[part];
+                        part.is_sharp[usize::from(part.ends[0] != point)] = true;
+                    }
+                }
+            }
+        }
+    }
+
+    /// Where a part is to be split, or why it cannot be.
+    pub(super) fn split(&self, number: u32) -> Result<Split<S>, Reason> {
+        if let Some(reason) = self.why_whole(number) {
+            return Err(reason);
+        }
+        let part = &self.parts[number as usize];
+        let [a, b] = part.ends.map(|point| self.vertex(point));
+        let [p, q] = [a, b].map(|v| self.mesh.points.place(v));
+        let (place, kind) = match part.is_sharp {
+            [false, false] => {
+                let place = [0, 1].map(|i| middle(&p[i], &q[i]));
+                (place, Kind::OnPart(self.shell_between(part.ends)))
+            }
+            [true, _] => shell(part.ends[0], p, q),
+            [false, true] => shell(part.ends[1], q, p),
+        };
+        if !place.iter().all(S::is_finite) {
+            return Err(Reason::Rounding);
+        }
+        let part = number;
+        let split = Split { part, place, kind };
+        let is_at = self.is_at(part, &split.place);
+        is_at.then_some(split).ok_or(Reason::Rounding)
+    }
+
+    /// Whether a place lies in a triangle at a part or on the part; or outside, if the part bounds the inside: then no
+    /// vertex lies between.
+    fn is_at(&self, part: u32, place: &[S; 2]) -> bool {
+        let bounds_inside = self.parts[part as usize].labels.contains(&OUTSIDE);
+        let is_outside = |t: u32| bounds_inside && self.labels[t as usize] == OUTSIDE;
+        let sides = self.sides_of(part);
+        match self.mesh.find(place) {
+            Place::Vertex(_) => false,
+            Place::Triangle(t) => is_outside(t) || sides.iter().any(|side| side / 3 == t),
+            Place::Side(side) => {
+                let across = self.mesh.mesh.twin(side);
+                let is_free = self.mesh.mesh.covers(side) == 0;
+                is_free && is_outside(side / 3)
+                    || sides.iter().any(|&at| at == side || at == across)
+            }
+            Place::Beyond(_) => bounds_inside,
+        }
+    }
+
+    /// The shell in the middle between two, if they are around one corner.
+    fn shell_between(&self, ends: [u32; 2]) -> Option<Shell> {
+        let shells = ends.map(|point| match self.kinds[point as usize] {
+            Kind::OnPart(shell) => shell,
+            _ => None,
+        });
+        let [Some(a), Some(b)] = shells else {
+            return None;
+        };
+        let radius = f64::midpoint(a.radius, b.radius);
+        (a.corner == b.corner).then_some(Shell { radius, ..a })
+    }
+
+    /// Continues a chain of points along a part, in its direction or against it.
+    pub(super) fn follow(&self, part: u32, is_forward: bool, chain: &mut Vec<usize>) {
+        if chain.is_empty() {
+            chain.push(self.parts[part as usize].ends[usize::from(!is_forward)] as usize);
+        }
+        let mut waiting = vec![part];
+        while let Some(part) = waiting.pop() {
+            let part = &self.parts[part as usize];
+            match part.halves {
+                // The half that comes first is taken first.
+                Some((_, [first, second])) if is_forward => waiting.extend([second, first]),
+                Some((_, halves)) => waiting.extend(halves),
+                None => chain.push(part.ends[usize::from(is_forward)] as usize),
+            }
+        }
+    }
+}
+
+/// The number nearest to the mean of two.
+fn middle<S: Exact>(a: &S, b: &S) -> S {
+    let double = f64::midpoint(a.approx(), b.approx());
+    let is_double = |x: &S| S::nearest_of_double(x.approx()).is_some_and(|y| y.compare(x).is_eq());
+    if is_double(a)
+        && is_double(b)
+        && let Some(middle) = S::nearest_of_double(double)
+    {
+        return middle;
+    }
+    S::nearest(&((a.to_fraction() + b.to_fraction()) / num_bigint::BigInt::from(2)))
+}
+
+/// The point at a power of two from a corner, between a third and two thirds of the way to the other end.
+fn shell<S: Exact>(corner: u32, from: &[S; 2], to: &[S; 2]) -> ([S; 2], Kind) {
+    let [x, y] = [0, 1].map(|i| to[i].approx() - from[i].approx());
+    let length = x.hypot(y);
+    let exponent = (length * (2.0 / 3.0)).log2().floor();
+    let part = exponent.exp2() / length;
+    let Some(part) =
+        num_rational::BigRational::from_float(part).filter(|_| part > 0.25 && part < 0.75)
+    else {
+        return ([0, 1].map(|i| middle(&from[i], &to[i])), Kind::OnPart(None));
+    };
+    let place = [0, 1].map(|i| {
+        let (a, b) = (from[i].to_fraction(), to[i].to_fraction());
+        S::nearest(&(&a + (&b - &a) * &part))
+    });
+    let radius = exponent.exp2();
+    (place, Kind::OnPart(Some(Shell { corner, radius })))
+}

@@ -1,0 +1,319 @@
+//! Refined meshes keep their bounds, are those of a fresh run, and say what stayed and why.
+
+use std::collections::BTreeSet;
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use sweep_cdt::crossings::Exact;
+use sweep_cdt::interior::{FillRule, Interior};
+use sweep_cdt::triangulate;
+use sweep_cdt_edit::{Bounds, Broken, Reason, RefineError, Refined, Refinement};
+use sweep_cdt_generate::KINDS;
+use sweep_cdt_testing::data::Hard;
+use sweep_cdt_testing::{Input, Random};
+
+fn angle(least: f64) -> Bounds {
+    Bounds {
+        least_angle: Some(least),
+        ..Bounds::default()
+    }
+}
+
+/// What holds of every refined mesh.
+fn assert_mesh<S: Exact + PartialEq>(
+    points: &[[S; 2]],
+    edges: &[[usize; 2]],
+    bounds: Bounds,
+    mesh: &Refined<S>,
+    name: &str,
+) {
+    assert!(
+        mesh.points[..points.len()] == *points,
+        "{name}: given points"
+    );
+    // The triangles are those of a fresh run on the points and parts.
+    let fresh = triangulate(&mesh.points, &mesh.edges).expect(name);
+    let all: BTreeSet<[usize; 3]> = fresh.canonical_triangles().into_iter().collect();
+    assert!(mesh.triangles.iter().all(|t| all.contains(t)), "{name}");
+    // The bounds; of small meshes on fractions, which no filter decides.
+    let exactly = |point: &[S; 2]| point.each_ref().map(S::to_fraction);
+    let broken = if mesh.points.len() < 1_000 {
+        let exact: Vec<[BigRational; 2]> = mesh.points.iter().map(exactly).collect();
+        bounds.violations(&exact, &mesh.triangles)
+    } else {
+        bounds.violations(&mesh.points, &mesh.triangles)
+    };
+    let left: Vec<(usize, Broken)> = mesh.left.iter().map(|l| (l.triangle, l.bound)).collect();
+    assert_eq!(broken, left, "{name}");
+    // The parts of each edge are a chain from end to end.
+    let of_input = triangulate(points, edges).expect(name);
+    for (e, ends) in edges.iter().enumerate() {
+        let parts = mesh.edges.iter().zip(&mesh.edge_of);
+        let parts: Vec<_> = parts.filter(|(_, of)| **of == Some(e)).collect();
+        let [a, b] = ends.map(|v| of_input.representative(v));
+        let mut at = a;
+        for ([from, to], _) in parts {
+            assert_eq!(at, *from, "{name}: edge {e}");
+            at = *to;
+        }
+        assert_eq!(at, b, "{name}: edge {e}");
+    }
+}
+
+/// Twice the area of all triangles.
+fn area(points: &[[BigRational; 2]], triangles: impl Iterator<Item = [usize; 3]>) -> BigRational {
+    let zero = || BigRational::from_integer(0.into());
+    triangles.fold(zero(), |sum, t| {
+        let [a, b, c] = t.map(|v| &points[v]);
+        sum + (&b[0] - &a[0]) * (&c[1] - &a[1]) - (&b[1] - &a[1]) * (&c[0] - &a[0])
+    })
+}
+
+#[test]
+fn generated_inputs_keep_their_bounds() {
+    for kind in KINDS {
+        // Outliers make a strip 48 million long and 12 high, which needs millions of points.
+        let may_end = kind.name == "outliers";
+        for (least, rule) in [(20.0, None), (26.0, Some(FillRule::EvenOdd))] {
+            let input = Input::generated(kind.name, 16, 7);
+            let name = format!("{} {least}", kind.name);
+            let (points, edges) = (&input.points, &input.edges);
+            let result = triangulate(points, edges).expect("a correct input");
+            // Edges that are no rings have no inside.
+            let inside = rule.and_then(|rule| result.interior(rule).ok());
+            let inside = inside.filter(|inside| inside.inside().len() > 0);
+            let inside = inside.unwrap_or_else(|| Interior::whole(&result));
+            let most = if may_end { 500 } else { 30_000 };
+            let refinement = Refinement::new(angle(least)).most_points(most);
+            let mesh = refinement.run(points, edges, &inside).expect(&name);
+            assert_mesh(points, edges, angle(least), &mesh, &name);
+            let limit = mesh.left.iter().find(|left| left.reason == Reason::Limit);
+            assert!(
+                may_end || limit.is_none(),
+                "{name}: {} points",
+                mesh.points.len()
+            );
+        }
+    }
+}
+
+#[test]
+fn hard_inputs_end() {
+    for Hard { name, input, .. } in Hard::own() {
+        let (points, edges) = (&input.points, &input.edges);
+        let Ok(result) = triangulate(points, edges) else {
+            continue;
+        };
+        let most = points.len() + 300;
+
+        let refinement = Refinement::new(angle(20.0)).most_points(most);
+        let mesh = refinement.run(points, edges, &Interior::whole(&result));
+        let mesh = mesh.expect(&name);
+        assert_mesh(points, edges, angle(20.0), &mesh, &name);
+        assert!(mesh.points.len() <= most.max(points.len()), "{name}");
+    }
+}
+
+/// With fractions every new point of an edge lies on it, so that the area stays.
+#[test]
+fn fractions_keep_the_area() {
+    let mut random = Random::new(5);
+    for round in 0..5 {
+        let mut fraction = || BigRational::new(BigInt::from(random.below(1000)), 7.into());
+        let points: Vec<[BigRational; 2]> = (0..12).map(|_| [fraction(), fraction()]).collect();
+        let edges = [[0, 1]];
+        let result = triangulate(&points, &edges).expect("one edge");
+        let bounds = Bounds {
+            greatest_area: Some(500.0),
+            ..angle(20.0)
+        };
+        let mesh = Refinement::new(bounds).run(&points, &edges, &Interior::whole(&result));
+        let mesh = mesh.expect("a correct input");
+        assert_mesh(&points, &edges, bounds, &mesh, &format!("round {round}"));
+        let before = area(&points, result.triangles());
+        assert_eq!(area(&mesh.points, mesh.triangles.iter().copied()), before);
+        for ([a, b], of) in mesh.edges.iter().zip(&mesh.edge_of) {
+            if *of == Some(0) {
+                let on = |v: usize| area(&mesh.points, [[edges[0][0], edges[0][1], v]].into_iter());
+                assert_eq!(
+                    [on(*a), on(*b)],
+                    [0, 0].map(|n| BigRational::from_integer(n.into()))
+                );
+            }
+        }
+    }
+}
+
+/// A square in a square: a region each, and a hole.
+fn squares() -> (Vec<[f64; 2]>, Vec<[usize; 2]>) {
+    let square = |r: f64| [[-r, -r], [r, -r], [r, r], [-r, r]];
+    let ring = |first: usize| (0..4).map(move |i| [first + i, first + (i + 1) % 4]);
+    let points = [9.0, 5.0, 1.0].into_iter().flat_map(square).collect();
+    (points, (0..3).flat_map(|i| ring(4 * i)).collect())
+}
+
+#[test]
+fn regions_have_areas_of_their_own() {
+    let (points, edges) = squares();
+    let result = triangulate(&points, &edges).expect("squares");
+    let placed = result.with_points(&points);
+    let inside = placed.interior_of_seeds(&[[0.0, 0.0]], &[[8.0, 0.0], [3.0, 0.0]]);
+    let inside = inside.expect("seeds inside");
+    let areas = [4.0, 0.5];
+    let refinement = Refinement::new(angle(25.0)).region_areas(&areas);
+    let mesh = refinement.run(&points, &edges, &inside).expect("squares");
+    assert_mesh(&points, &edges, angle(25.0), &mesh, "squares");
+    let mut counts = [0; 2];
+    for (triangle, region) in mesh.triangles.iter().zip(&mesh.regions) {
+        let region = region.expect("a region");
+        counts[region] += 1;
+        let bounds = Bounds {
+            greatest_area: Some(areas[region]),
+            ..angle(25.0)
+        };
+        assert_eq!(bounds.broken(triangle.map(|v| &mesh.points[v])), None);
+        // The centroid lies in the region.
+        let [x, y] = [0, 1].map(|i| triangle.iter().map(|&v| mesh.points[v][i]).sum::<f64>() / 3.0);
+        let far = x.abs().max(y.abs());
+        assert!(if region == 0 {
+            far > 5.0
+        } else {
+            far > 1.0 && far < 5.0
+        });
+    }
+    // The areas are 224 and 96.
+    assert!(counts[0] >= 56 && counts[1] >= 192, "{counts:?}");
+}
+
+#[test]
+fn areas_depend_on_the_place() {
+    let (points, edges) = squares();
+    let result = triangulate(&points, &edges).expect("squares");
+    let area_at = |[x, _]: [f64; 2]| if x < 0.0 { 0.25 } else { 8.0 };
+    let refinement = Refinement::new(angle(20.0)).area_at(&area_at);
+    let mesh = refinement.run(&points, &edges, &Interior::whole(&result));
+    let mesh = mesh.expect("squares");
+    let (mut left, mut right) = (0, 0);
+    for triangle in &mesh.triangles {
+        let corners = triangle.map(|v| mesh.points[v]);
+        let x = corners.iter().map(|corner| corner[0] / 3.0).sum();
+        let most = Some(area_at([x, 0.0]));
+        let bounds = Bounds {
+            greatest_area: most,
+            ..angle(20.0)
+        };
+        assert_eq!(bounds.broken(corners.each_ref()), None);
+        *(if x < 0.0 { &mut left } else { &mut right }) += 1;
+    }
+    assert!(left > 4 * right, "{left} {right}");
+    assert_eq!(mesh.left, []);
+}
+
+#[test]
+fn a_kept_boundary_has_no_new_points() {
+    let points = [[0.0, 0.0], [10.0, 0.0], [10.0, 1.0], [0.0, 1.0]];
+    let edges = [[0, 1], [1, 2], [2, 3], [3, 0]];
+    let result = triangulate(&points, &edges).expect("a rectangle");
+    let whole = Interior::whole(&result);
+    let kept = Refinement::new(angle(30.0))
+        .keep_boundary()
+        .run(&points, &edges, &whole);
+    let kept = kept.expect("a rectangle");
+    assert_eq!(kept.edges, edges);
+    assert!(kept.left.iter().all(|left| left.reason == Reason::Boundary));
+    assert!(!kept.left.is_empty());
+    let free = Refinement::new(angle(30.0))
+        .run(&points, &edges, &whole)
+        .expect("a rectangle");
+    assert_eq!(free.left, []);
+    assert!(free.edges.len() > 4);
+}
+
+#[test]
+fn sharp_corners_stay_and_the_rest_does_not() {
+    // Spokes at 5 degrees.
+    let spoke = |i: u32| (f64::from(i) * 5.0).to_radians();
+    let mut points = vec![[0.0, 0.0]];
+    points.extend((0..18).map(|i| [100.0 * spoke(i).cos(), 100.0 * spoke(i).sin()]));
+    let edges: Vec<[usize; 2]> = (1..19).map(|i| [0, i]).collect();
+    let result = triangulate(&points, &edges).expect("spokes");
+    let mesh = Refinement::new(angle(25.0)).run(&points, &edges, &Interior::whole(&result));
+    let mesh = mesh.expect("spokes");
+    assert_mesh(&points, &edges, angle(25.0), &mesh, "spokes");
+    assert!(mesh.points.len() < 2_000, "{}", mesh.points.len());
+    assert!(
+        mesh.left
+            .iter()
+            .all(|left| left.reason == Reason::InputAngle)
+    );
+    // All that stay lie near the corner or at two spokes.
+    let at_corner = |left: &sweep_cdt_edit::Left| mesh.triangles[left.triangle].contains(&0);
+    assert_eq!(mesh.left.iter().filter(|left| at_corner(left)).count(), 17);
+}
+
+#[test]
+fn limits_and_refusals() {
+    let (points, edges) = squares();
+    let result = triangulate(&points, &edges).expect("squares");
+    let whole = Interior::whole(&result);
+    let run = |refinement: Refinement<'_>| refinement.run(&points, &edges, &whole);
+    let area = |most: f64| Bounds {
+        greatest_area: Some(most),
+        ..Bounds::default()
+    };
+    let mesh = run(Refinement::new(area(0.001)).most_points(100)).expect("a limit");
+    assert_eq!(mesh.points.len(), 100);
+    assert!(mesh.left.iter().all(|left| left.reason == Reason::Limit));
+    assert_mesh(&points, &edges, area(0.001), &mesh, "limit");
+    for (bounds, error) in [
+        (angle(60.0), RefineError::Angle),
+        (angle(f64::NAN), RefineError::Angle),
+        (angle(-1.0), RefineError::Angle),
+        (angle(35.0), RefineError::Endless),
+        (area(0.0), RefineError::Size),
+        (area(f64::NAN), RefineError::Size),
+    ] {
+        assert_eq!(run(Refinement::new(bounds)), Err(error));
+    }
+    let other = triangulate(&points[..4], &[]).expect("a square");
+    let refused = Refinement::new(angle(20.0)).run(&points, &edges, &Interior::whole(&other));
+    assert_eq!(refused, Err(RefineError::OtherInput));
+    let nothing = triangulate::<f64>(&[], &[]).expect("nothing");
+    let mesh = Refinement::new(angle(20.0)).run::<f64>(&[], &[], &Interior::whole(&nothing));
+    assert_eq!(mesh.expect("nothing").triangles, [[0; 3]; 0]);
+}
+
+/// Doubles and fractions decide alike, where a bound just holds and where it just does not.
+#[test]
+fn the_filter_of_bounds_is_right() {
+    let mut random = Random::new(11);
+    for _ in 0..4_000 {
+        let mut double = || {
+            let low = random.below(1 << 10) as f64 * 2.0_f64.powi(-45);
+            random.below(16) as f64 + if random.one_in(2) { 0.0 } else { low }
+        };
+        let corners: [[f64; 2]; 3] = [0; 3].map(|_| [double(), double()]);
+        let exact = corners.map(|corner| corner.map(|x| x.to_fraction()));
+        let side = (corners[0][0] - corners[1][0]).hypot(corners[0][1] - corners[1][1]);
+        let area = random.below(40) as f64 / 2.0;
+        for bounds in [
+            angle(45.0),
+            angle(30.0),
+            Bounds {
+                greatest_area: Some(area),
+                ..Bounds::default()
+            },
+            Bounds {
+                greatest_side: Some(side),
+                ..Bounds::default()
+            },
+        ] {
+            let found = bounds.broken(corners.each_ref());
+            assert_eq!(
+                found,
+                bounds.broken(exact.each_ref()),
+                "{corners:?} {bounds:?}"
+            );
+        }
+    }
+}
