@@ -10,6 +10,7 @@
 mod calls;
 mod crossings;
 mod errors;
+mod heights;
 mod input;
 mod matching;
 mod measure;
@@ -34,6 +35,8 @@ mod _native {
     const __version__: &str = env!("CARGO_PKG_VERSION");
     #[pymodule_export]
     use crate::crossings::{Crossings, crossings, split};
+    #[pymodule_export]
+    use crate::heights::gathered;
     #[pymodule_export]
     use crate::input::ExactPoints;
     #[pymodule_export]

@@ -124,7 +124,8 @@ impl Column {
     }
 
     /// The column of so many vertices, each with the first number that is given for it, and the first vertex with two.
-    pub(crate) fn gathered(
+    #[must_use]
+    pub fn gathered(
         &self,
         vertices: usize,
         values: impl Iterator<Item = (usize, f64)>,

@@ -34,7 +34,11 @@ def crossings(points: Any, edges: Any = None) -> Crossings:
     >>> found.exact(0)
     (Fraction(3, 2), Fraction(1, 2))
     """
-    return Crossings(called(_native.crossings, as_input(points, edges)))
+    return _found(as_input(points, edges))
+
+
+def _found(given: Input) -> Crossings:
+    return Crossings(called(_native.crossings, given), given)
 
 
 class Crossings:
@@ -48,8 +52,13 @@ class Crossings:
         The double nearest to the place of each.
     """
 
-    def __init__(self, found: _native.Crossings) -> None:
+    def __init__(self, found: _native.Crossings, given: Input) -> None:
         self._found = found
+        self._input = given
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        # They depend on the input alone.
+        return _found, (self._input,)
 
     def __len__(self) -> int:
         return len(self._found)
@@ -118,10 +127,19 @@ class Split:
         How many rounds of splitting and rounding it took; none, if no edges cross.
     displacement : float
         How many units in the last place an edge moved at most.
+    heights : ndarray of float of shape (n + k,), or None
+        The heights of the points, as of `Triangulation.heights`.
     """
 
     def __init__(
-        self, given: Input, points: Any, edges: np.ndarray, pieces_of: np.ndarray, rounds: int, displacement: float
+        self,
+        given: Input,
+        points: Any,
+        edges: np.ndarray,
+        pieces_of: np.ndarray,
+        rounds: int,
+        displacement: float,
+        heights: np.ndarray | None,
     ) -> None:
         self._given = given
         self._points = points
@@ -129,6 +147,7 @@ class Split:
         self.pieces_of = pieces_of.view(np.intp)
         self.rounds = rounds
         self.displacement = displacement
+        self.heights = heights
 
     def __repr__(self) -> str:
         return f"<Split of {self.count} edges into {len(self._edges)} pieces>"
@@ -163,13 +182,8 @@ class Split:
     def as_input(self) -> Input:
         """The input with the pieces for edges."""
         given = self._given
-        return Input(
-            self._points,
-            self._edges,
-            given.rings,
-            None if given.ring_of is None else given.ring_of[self.pieces_of],
-            given.holes,
-            given.regions,
-            given.attributes,
-            given.features,
+        ring_of = None if given.ring_of is None else given.ring_of[self.pieces_of]
+        # Features of edges are asked for in errors of the input alone.
+        return given.changed(
+            points=self._points, edges=self._edges, ring_of=ring_of, heights=self.heights, feature_of=None
         )

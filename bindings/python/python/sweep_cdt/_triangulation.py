@@ -10,8 +10,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _convert, _native
-from ._errors import CrossingEdgesError, ShapeError
-from ._graph import as_input
+from ._arrays import as_values
+from ._errors import CrossingEdgesError
+from ._geometries import gathered
+from ._graph import as_input, as_queries, stacked
 from ._input import Input, as_count, as_fractions, as_points, called
 
 if TYPE_CHECKING:
@@ -159,7 +161,7 @@ def made(
     try:
         core = called(_native.triangulate, given, rule, count, settings)
     except CrossingEdgesError as error:
-        raise CrossingEdgesError(f"{error} (split_crossings=True splits them)", edges=error.edges) from None
+        raise CrossingEdgesError(f"{error} (split_crossings=True splits them)", **error.__dict__) from None
     return Triangulation(core, given, rule, count, settings, split)
 
 
@@ -177,6 +179,12 @@ class Triangulation:
         The points; doubles, or `Fraction` objects where these were given.
     edges : ndarray of int of shape (m, 2)
         The edges, those of polygons included.
+    heights : ndarray of float of shape (n,), or None
+        The z of geometries, and the first of the ``vertex_attributes`` of a dictionary: for each point, NaN where it has
+        none; `None`, if no point has one. Equal points have the first that one of them has; where edges were split, the
+        height is that along the first edge.
+    crs : object or None
+        The coordinate system of a GeoDataFrame or GeoSeries.
     simplices : ndarray of int32 of shape (t, 3)
         The corners of each triangle of the hull, counter-clockwise, as of SciPy.
     triangles : ndarray of int32 of shape (u, 3)
@@ -243,6 +251,19 @@ class Triangulation:
     @property
     def edges(self) -> np.ndarray:
         return _fixed(self._input.edges.view(np.intp))
+
+    @functools.cached_property
+    def heights(self) -> np.ndarray | None:
+        heights = self._input.heights
+        if heights is None or not len(self.duplicates):
+            return heights if heights is None else _fixed(heights.view())
+        first = np.arange(len(heights))
+        first[self.duplicates[:, 0]] = self.duplicates[:, 1]
+        return _fixed(gathered(heights, first, len(heights))[first])
+
+    @property
+    def crs(self) -> Any:
+        return self._input.crs
 
     @functools.cached_property
     def simplices(self) -> np.ndarray:
@@ -360,15 +381,28 @@ class Triangulation:
 
         Parameters
         ----------
-        xi : array_like of shape (..., 2)
-            The points. Of a point on a side or at a corner one of its triangles is found.
+        xi : array_like of shape (..., 2), or points as geometries
+            The points, in the units of the triangulation. Of a point on a side or at a corner one of its triangles is
+            found. Geometries are those of shapely and geopandas, of which a CRS is that of the triangulation.
         bruteforce, tol : optional
             Not used: SciPy has them.
 
         Returns
         -------
         ndarray of int32 of shape (...)
-            Positions in `simplices`; -1 outside of the hull, and for points that are not finite.
+            Positions in `simplices`; -1 outside of the hull, and for points that are not finite, masked or missing.
+
+        Raises
+        ------
+        Error
+            `ShapeError` and `KindError`, if `xi` has no points; `Error`, if it has another CRS.
+
+        Examples
+        --------
+        >>> import sweep_cdt
+        >>> result = sweep_cdt.triangulate([[0, 0], [4, 0], [0, 4]])
+        >>> result.find_simplex([[1, 1], [0, 4], [3, 3]]).tolist()
+        [0, 0, -1]
         """
         del bruteforce, tol
         points, queries, finite, shape = self._queries(xi)
@@ -378,34 +412,40 @@ class Triangulation:
 
     def _queries(self, xi: Any) -> tuple[Any, Any, np.ndarray, tuple[int, ...]]:
         """Points and queries of one kind, which queries are finite as the exact kind needs them, and their shape."""
-        array = np.asarray(xi)
-        if array.ndim == 0 or array.shape[-1] != 2:
-            raise ShapeError(f"xi has the shape {array.shape}, not (..., 2)", shape=array.shape)
+        queries, shape = as_queries(xi, "xi", self.crs)
         # Doubles on a grid are looked up as doubles, others are converted to the kind of the points.
-        points, queries = self._input.points, as_points(array.reshape(-1, 2), "xi")
+        points = self._input.points
         finite = np.ones(len(queries), dtype=bool)
         if isinstance(queries, np.ndarray) and self._input.is_exact:
             finite = np.isfinite(queries).all(axis=1)
             queries = as_points(queries[finite].astype(object), "xi")
         elif not isinstance(queries, np.ndarray) and not self._input.is_exact:
             points = as_points(points.astype(object))
-        return points, queries, finite, array.shape[:-1]
+        return points, queries, finite, shape
 
     def interpolate(self, values: Any, xi: Any) -> np.ndarray:
-        """Values at the points, interpolated linearly in each triangle that is inside.
+        """Values at points, interpolated linearly in each triangle that is inside.
 
         Parameters
         ----------
         values : array_like of shape (n,) or (n, k)
-            A value for each point: heights, for instance.
-        xi : array_like of shape (..., 2)
-            Where to interpolate.
+            A value for each point: `heights`, for instance. One that is not finite, masked or missing is not there.
+        xi : array_like of shape (..., 2), points as geometries, or a tuple of x and y
+            Where to interpolate, in the units of the triangulation. A tuple has an array of x and one of y, as of SciPy.
+            Geometries are those of shapely and geopandas, of which a CRS is that of the triangulation.
 
         Returns
         -------
         ndarray of shape (...) or (..., k)
-            NaN where no triangle is inside, and where a value that counts is not finite. Where a point lies is decided
-            exactly; on a side the values of its two ends count, at a corner that of the corner alone.
+            In the units of the values. NaN where no triangle is inside, and where a value that counts is not there. Where a
+            point lies is decided exactly; on a side the values of its two ends count, at a corner that of the corner
+            alone. Equal points are one corner, with the first value that one of them has.
+
+        Raises
+        ------
+        Error
+            `ShapeError` and `KindError`, if there is not a value for each point, or if `xi` has no points; `Error`, if it
+            has another CRS.
 
         Examples
         --------
@@ -414,18 +454,18 @@ class Triangulation:
         >>> hill.interpolate([0, 0, 0, 0, 8], [[2, 1], [2, 2], [9, 9]]).tolist()
         [4.0, 8.0, nan]
         """
-        values = np.asarray(values, dtype=float)
-        count, rest = len(self._input.points), values.shape[1:]
-        if values.shape[:1] != (count,):
-            raise ShapeError(f"values has the shape {values.shape}, not ({count}, ...)", shape=values.shape)
-        points, queries, finite, shape = self._queries(xi)
-        columns = values.reshape(count, math.prod(rest))
+        count = len(self._input.points)
+        values = as_values(values, count)
+        rest = values.shape[1:]
+        points, queries, finite, shape = self._queries(stacked(xi) if isinstance(xi, tuple) else xi)
+        columns = np.ascontiguousarray(values.reshape(count, math.prod(rest)))
         result = np.full((len(finite), columns.shape[1]), np.nan)
         found = self._core.interpolate(self._input, self.rule, columns, (points, queries))
         result[finite] = found.reshape(len(queries), columns.shape[1])
         return result.reshape(shape + rest)
 
     # To other libraries.
+    to_geodataframe = _convert.to_geodataframe
     to_matplotlib = _convert.to_matplotlib
     to_meshio = _convert.to_meshio
     to_pyvista = _convert.to_pyvista

@@ -209,16 +209,7 @@ def _matched(
     asked = {"is_soup": result.is_soup, "tolerance": tolerance, "by_number": by_number, "steiner": steiner}
     matched = _native.match_vertices(result.points, given.points, asked)
     if steiner:
-        given = Input(
-            matched["points"],
-            given.edges,
-            given.rings,
-            given.ring_of,
-            given.holes,
-            given.regions,
-            given.attributes,
-            given.features,
-        )
+        given = given.changed(points=matched["points"])
     if matched["places"] is not None:
         result.triangles = _renumbered(result.triangles, matched["places"], len(given.points))
     return given, result, matched["words"], count if steiner else None

@@ -1,0 +1,131 @@
+"""What is handed in, as plain arrays: the one place that reads masks, nullable columns and frames.
+
+A masked entry and a missing one (NA of pandas, None) are one thing: there is no number. Where a number must be, they are
+refused by name. Among values, and where values are asked for, they are NaN.
+"""
+
+from __future__ import annotations
+
+import numbers
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+import numpy as np
+
+from ._errors import KindError, ShapeError
+
+# Whole numbers up to this size are doubles.
+WHOLE = 2**53
+
+
+def as_array(given: Any, name: str, missing: bool = False, columns: int | None = 2) -> np.ndarray:
+    """An array without a mask. Where `missing` allows them, missing entries are NaN. Its rows should have so many columns."""
+    try:
+        array, mask = _read(given)
+    except ValueError:
+        raise _ragged(given, name, columns) from None
+    except (TypeError, OverflowError) as error:
+        raise KindError(f"{name} is no array of numbers: {error}") from None
+    if mask is None or not mask.any():
+        return array
+    if not missing:
+        position = tuple(int(at) for at in np.argwhere(mask)[0])
+        where = ", ".join(map(str, position))
+        raise KindError(f"{name}[{where}] is masked or missing, so that it is no number", position=position)
+    # NaN is no whole number; exact numbers stay what they are.
+    array = array.astype(object if array.dtype.kind == "O" or not fits(array) else float)
+    array[mask] = np.nan
+    return array
+
+
+def _ragged(rows: Any, name: str, columns: int | None) -> ShapeError:
+    """The error for rows of several lengths: the first that has not so many numbers."""
+    for position, row in enumerate(rows if columns else ()):
+        length = len(row) if hasattr(row, "__len__") else None
+        if length != columns:
+            what = f"is no {'pair' if columns == 2 else 'triple'}" if length is None else f"has {length} numbers, not {columns}"
+            return ShapeError(f"{name}[{position}] {what}", position=position)
+    return ShapeError(f"{name} is no array: its rows differ in length")
+
+
+def as_values(given: Any, count: int | None, name: str = "values") -> np.ndarray:
+    """Values as doubles, of `count` rows; NaN where one is missing."""
+    array = as_array(listed(given), name, missing=True, columns=None)
+    if array.dtype.kind == "O":
+        try:
+            array = np.array([_double(x) for x in array.flat], dtype=float).reshape(array.shape)
+        except (ValueError, TypeError, OverflowError) as error:
+            raise KindError(f"{name} is no array of numbers: {error}") from None
+    if array.dtype.kind not in "biuf":
+        raise KindError(f"{name} has the type {array.dtype}, which is no type of numbers")
+    if array.ndim == 0 or count is not None and len(array) != count:
+        raise ShapeError(f"{name} has the shape {array.shape}, not ({count}, ...)", shape=array.shape)
+    return array.astype(float, copy=False)
+
+
+def _double(value: Any) -> float:
+    return np.nan if is_missing(value) else float(value)
+
+
+def is_missing(value: Any) -> bool:
+    """Whether an object stands for no value."""
+    return value is None or value is np.ma.masked or type(value).__name__ == "NAType"
+
+
+def fits(array: np.ndarray) -> bool:
+    """Whether all numbers are doubles, so far as their type tells."""
+    if array.dtype.kind not in "iu" or array.dtype.itemsize < 8 or array.size == 0:
+        return True
+    return int(array.max()) <= WHOLE and int(array.min()) >= -WHOLE
+
+
+def listed(given: Any) -> Any:
+    """What is given; as a list, if it can be passed through once only."""
+    if isinstance(given, (str, bytes, dict, Sequence)) or hasattr(given, "__array__") or hasattr(given, "__len__"):
+        return given
+    return list(given) if isinstance(given, Iterable) else given
+
+
+def _read(given: Any) -> tuple[np.ndarray, np.ndarray | None]:
+    """An array, and which of its entries are missing; nothing, if none can be."""
+    if isinstance(given, (list, tuple)) and any(isinstance(row, np.ma.MaskedArray) for row in given):
+        # NumPy would drop the masks.
+        given = np.ma.array(given)
+    if isinstance(given, np.ma.MaskedArray):
+        return np.asarray(given.data), np.ma.getmaskarray(given)
+    if hasattr(given, "isna") and hasattr(given, "to_numpy"):
+        return _of_columns(given)
+    if isinstance(given, np.ndarray) or hasattr(given, "__array__"):
+        return np.asarray(given), None
+    array = np.asarray(given)
+    if array.dtype.kind == "f":
+        # NumPy rounds whole numbers beside doubles.
+        objects = np.asarray(given, dtype=object)
+        if any(isinstance(x, numbers.Integral) and abs(int(x)) > WHOLE for x in objects.flat):
+            return objects, None
+    return array, None
+
+
+def _of_columns(given: Any) -> tuple[np.ndarray, np.ndarray | None]:
+    """A frame, a column or an index of pandas. Columns that can hold NA have a type of their own, of which NumPy has one
+    too."""
+    if not hasattr(given, "columns"):
+        return _of_column(given)
+    if len({str(kind) for kind in given.dtypes}) == 1 and isinstance(given.dtypes.iloc[0], np.dtype):
+        return np.asarray(given), None
+    columns = [_of_column(given.iloc[:, at]) for at in range(given.shape[1])]
+    arrays = [array for array, _ in columns]
+    exact = len({array.dtype.kind for array in arrays}) > 1 and not all(map(fits, arrays))
+    array = np.column_stack([a.astype(object) for a in arrays] if exact else arrays) if arrays else np.empty((0, 0))
+    masks = [np.zeros(len(array), dtype=bool) if mask is None else mask for _, mask in columns]
+    return array, np.column_stack(masks) if masks else None
+
+
+def _of_column(given: Any) -> tuple[np.ndarray, np.ndarray | None]:
+    kind = getattr(given.dtype, "numpy_dtype", None)
+    if isinstance(given.dtype, np.dtype) or kind is None:
+        return np.asarray(given), None
+    mask = np.asarray(given.isna(), dtype=bool)
+    # What stands in the place of a missing one counts for nothing.
+    filler = np.zeros(1, dtype=kind)[0] if kind.kind in "biuf" else None
+    return given.to_numpy(dtype=kind, na_value=filler), mask

@@ -1,0 +1,24 @@
+//! Heights of places, of which several are one vertex, by the rules of the crate that reads files.
+
+use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
+use pyo3::prelude::*;
+use sweep_cdt_formats::Column;
+
+use crate::errors::refused;
+
+/// The height of each of so many vertices: the first that one of its places has. `vertices` has the vertex of each place.
+#[pyfunction]
+pub(crate) fn gathered<'py>(
+    py: Python<'py>,
+    heights: PyReadonlyArray1<'_, f64>,
+    vertices: PyReadonlyArray1<'_, usize>,
+    count: usize,
+) -> PyResult<Bound<'py, PyArray1<f64>>> {
+    let (heights, vertices) = (heights.as_array(), vertices.as_array());
+    if let Some(vertex) = vertices.iter().find(|&&vertex| vertex >= count) {
+        return Err(refused(format!("there is no vertex {vertex}")));
+    }
+    let places = vertices.iter().copied().zip(heights.iter().copied());
+    let (column, _) = Column::heights(Vec::new()).gathered(count, places);
+    Ok(column.values.into_pyarray(py))
+}
