@@ -26,6 +26,9 @@ def as_array(given: Any, name: str, missing: bool = False, columns: int | None =
         raise _ragged(given, name, columns) from None
     except (TypeError, OverflowError) as error:
         raise KindError(f"{name} is no array of numbers: {error}") from None
+    if missing and array.dtype.kind == "O":
+        of_objects = np.array([is_missing(x) for x in array.flat], dtype=bool).reshape(array.shape)
+        mask = of_objects if mask is None else mask | of_objects
     if mask is None or not mask.any():
         return array
     if not missing:
@@ -53,7 +56,7 @@ def as_values(given: Any, count: int | None, name: str = "values") -> np.ndarray
     array = as_array(listed(given), name, missing=True, columns=None)
     if array.dtype.kind == "O":
         try:
-            array = np.array([_double(x) for x in array.flat], dtype=float).reshape(array.shape)
+            array = np.array([float(x) for x in array.flat], dtype=float).reshape(array.shape)
         except (ValueError, TypeError, OverflowError) as error:
             raise KindError(f"{name} is no array of numbers: {error}") from None
     if array.dtype.kind not in "biuf":
@@ -61,10 +64,6 @@ def as_values(given: Any, count: int | None, name: str = "values") -> np.ndarray
     if array.ndim == 0 or count is not None and len(array) != count:
         raise ShapeError(f"{name} has the shape {array.shape}, not ({count}, ...)", shape=array.shape)
     return array.astype(float, copy=False)
-
-
-def _double(value: Any) -> float:
-    return np.nan if is_missing(value) else float(value)
 
 
 def is_missing(value: Any) -> bool:
@@ -93,8 +92,10 @@ def _read(given: Any) -> tuple[np.ndarray, np.ndarray | None]:
         given = np.ma.array(given)
     if isinstance(given, np.ma.MaskedArray):
         return np.asarray(given.data), np.ma.getmaskarray(given)
-    if hasattr(given, "isna") and hasattr(given, "to_numpy"):
+    if hasattr(given, "columns") and hasattr(given, "__array__"):
         return _of_columns(given)
+    if hasattr(given, "isna") and hasattr(given, "to_numpy"):
+        return _of_column(given)
     if isinstance(given, np.ndarray) or hasattr(given, "__array__"):
         return np.asarray(given), None
     array = np.asarray(given)
@@ -107,23 +108,26 @@ def _read(given: Any) -> tuple[np.ndarray, np.ndarray | None]:
 
 
 def _of_columns(given: Any) -> tuple[np.ndarray, np.ndarray | None]:
-    """A frame, a column or an index of pandas. Columns that can hold NA have a type of their own, of which NumPy has one
-    too."""
-    if not hasattr(given, "columns"):
-        return _of_column(given)
-    if len({str(kind) for kind in given.dtypes}) == 1 and isinstance(given.dtypes.iloc[0], np.dtype):
+    """A frame of pandas or polars, or a table of pyarrow."""
+    if hasattr(given, "iloc"):
+        columns = [given.iloc[:, at] for at in range(given.shape[1])]
+    else:
+        columns = given.get_columns() if hasattr(given, "get_columns") else list(given.columns)
+    read = [_of_column(column) for column in columns]
+    arrays = [array for array, _ in read]
+    if not arrays:
         return np.asarray(given), None
-    columns = [_of_column(given.iloc[:, at]) for at in range(given.shape[1])]
-    arrays = [array for array, _ in columns]
-    exact = len({array.dtype.kind for array in arrays}) > 1 and not all(map(fits, arrays))
-    array = np.column_stack([a.astype(object) for a in arrays] if exact else arrays) if arrays else np.empty((0, 0))
-    masks = [np.zeros(len(array), dtype=bool) if mask is None else mask for _, mask in columns]
-    return array, np.column_stack(masks) if masks else None
+    if len({array.dtype.kind for array in arrays}) > 1 and not all(map(fits, arrays)):
+        # NumPy rounds whole numbers beside doubles.
+        arrays = [array.astype(object) for array in arrays]
+    none = np.zeros(len(arrays[0]), dtype=bool)
+    return np.column_stack(arrays), np.column_stack([none if mask is None else mask for _, mask in read])
 
 
 def _of_column(given: Any) -> tuple[np.ndarray, np.ndarray | None]:
-    kind = getattr(given.dtype, "numpy_dtype", None)
-    if isinstance(given.dtype, np.dtype) or kind is None:
+    """A column or an index. One of pandas that can hold NA has a type of its own, which names that of NumPy."""
+    kind = getattr(getattr(given, "dtype", None), "numpy_dtype", None)
+    if kind is None:
         return np.asarray(given), None
     mask = np.asarray(given.isna(), dtype=bool)
     # What stands in the place of a missing one counts for nothing.

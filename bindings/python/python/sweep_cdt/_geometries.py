@@ -79,12 +79,12 @@ def _of_geopandas(given: Any, name: str) -> Geometries:
 def _of_document(document: dict[str, Any], name: str) -> Geometries:
     import shapely.geometry
 
-    features = document["features"] if document["type"] == "FeatureCollection" else [document]
-    geometries = [feature["geometry"] if feature["type"] == "Feature" else feature for feature in features]
     try:
+        features = document["features"] if document["type"] == "FeatureCollection" else [document]
+        geometries = [feature["geometry"] if feature["type"] == "Feature" else feature for feature in features]
         found = [None if geometry is None else shapely.geometry.shape(geometry) for geometry in geometries]
     except (shapely.errors.ShapelyError, ValueError, TypeError, KeyError, AttributeError, IndexError) as error:
-        raise KindError(f"{name} is no GeoJSON: {error}") from None
+        raise KindError(f"{name} is no right GeoJSON: {type(error).__name__}: {error}") from None
     return Geometries(_array(found))
 
 

@@ -42,22 +42,35 @@ def as_input(given: Any, edges: Any = None, polygons: Any = None, holes: Any = N
     return whole if polygons is None else _with_polygons(whole, polygons)
 
 
-def as_queries(given: Any, name: str, crs: Any = None) -> tuple[Any, tuple[int, ...]]:
-    """Points to look for, in an array of any shape or as geometries of this coordinate system, and that shape."""
+def as_queries(given: Any, name: str, own: Input) -> tuple[Any, Any, np.ndarray, tuple[int, ...]]:
+    """Points to look for, in an array of any shape or as geometries: the finite ones, and the points of the input in the
+    same arithmetic; which ones are finite, and the shape."""
     given = listed(given)
     if (geometries := as_geometries(given, name)) is not None:
-        agree(crs, geometries.crs, name)
-        places = as_places(geometries, name)
-        return places, places.shape[:1]
-    array = as_array(given, name, missing=True)
+        agree(own.crs, geometries.crs, name)
+        array = as_places(geometries, name)
+    else:
+        array = as_array(given, name, missing=True)
     if array.ndim == 0 or array.shape[-1] != 2:
         raise ShapeError(f"{name} has the shape {array.shape}, not (..., 2)", shape=array.shape)
-    return as_points(array.reshape(-1, 2), name), array.shape[:-1]
+    rows = array.reshape(-1, 2)
+    if rows.dtype.kind == "O":
+        is_finite = [not (isinstance(x, float) and not np.isfinite(x)) for x in rows.flat]
+        finite = np.array(is_finite, dtype=bool).reshape(-1, 2).all(axis=1)
+    else:
+        finite = np.isfinite(rows).all(axis=1) if rows.dtype.kind == "f" else np.ones(len(rows), dtype=bool)
+    queries, points = as_points(rows if finite.all() else rows[finite], name), own.points
+    # Doubles on a grid are looked up as doubles, others are converted to the kind of the points.
+    if isinstance(queries, np.ndarray) and own.is_exact:
+        queries = as_points(queries.astype(object), name)
+    elif not isinstance(queries, np.ndarray) and not own.is_exact:
+        points = as_points(points.astype(object))
+    return points, queries, finite, array.shape[:-1]
 
 
-def stacked(xi: tuple[Any, ...]) -> Any:
-    """A tuple of x and y as points; another tuple as it is."""
-    if len(xi) != 2 or as_geometries(xi) is not None:
+def stacked(xi: Any) -> Any:
+    """A tuple of x and y as points, and anything else as it is."""
+    if not isinstance(xi, tuple) or len(xi) != 2 or as_geometries(xi) is not None:
         return xi
     x, y = (as_array(listed(axis), "xi", missing=True, columns=None) for axis in xi)
     try:
@@ -77,7 +90,7 @@ def _regions(given: Any) -> tuple[Any, Sequence[float]]:
     """The seeds of regions and their attributes, as `triangle` has them: x, y, attribute, greatest area."""
     if given is None or not len(_listed(given, "regions")):
         return None, ()
-    rows = as_values(given, None, "regions")
+    rows = as_values(as_array(given, "regions"), None, "regions")
     if rows.ndim != 2 or rows.shape[1] < 3:
         raise ShapeError(f"regions has the shape {rows.shape}, not (k, 4)", shape=rows.shape)
     return rows[:, :2], rows[:, 2].tolist()

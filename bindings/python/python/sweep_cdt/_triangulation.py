@@ -405,23 +405,10 @@ class Triangulation:
         [0, 0, -1]
         """
         del bruteforce, tol
-        points, queries, finite, shape = self._queries(xi)
+        points, queries, finite, shape = as_queries(xi, "xi", self._input)
         found = np.full(len(finite), -1, dtype=np.int32)
         found[finite] = self._core.locate(points, queries)
         return found.reshape(shape)
-
-    def _queries(self, xi: Any) -> tuple[Any, Any, np.ndarray, tuple[int, ...]]:
-        """Points and queries of one kind, which queries are finite as the exact kind needs them, and their shape."""
-        queries, shape = as_queries(xi, "xi", self.crs)
-        # Doubles on a grid are looked up as doubles, others are converted to the kind of the points.
-        points = self._input.points
-        finite = np.ones(len(queries), dtype=bool)
-        if isinstance(queries, np.ndarray) and self._input.is_exact:
-            finite = np.isfinite(queries).all(axis=1)
-            queries = as_points(queries[finite].astype(object), "xi")
-        elif not isinstance(queries, np.ndarray) and not self._input.is_exact:
-            points = as_points(points.astype(object))
-        return points, queries, finite, shape
 
     def interpolate(self, values: Any, xi: Any) -> np.ndarray:
         """Values at points, interpolated linearly in each triangle that is inside.
@@ -457,7 +444,7 @@ class Triangulation:
         count = len(self._input.points)
         values = as_values(values, count)
         rest = values.shape[1:]
-        points, queries, finite, shape = self._queries(stacked(xi) if isinstance(xi, tuple) else xi)
+        points, queries, finite, shape = as_queries(stacked(xi), "xi", self._input)
         columns = np.ascontiguousarray(values.reshape(count, math.prod(rest)))
         result = np.full((len(finite), columns.shape[1]), np.nan)
         found = self._core.interpolate(self._input, self.rule, columns, (points, queries))
