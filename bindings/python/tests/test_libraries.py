@@ -70,13 +70,14 @@ def test_triangle():
     assert sweep_cdt.verify(sweep_cdt.triangulate(given, inside="hull").to_triangle())
     assert sweep_cdt.verify(sweep_cdt.triangulate([], polygons=[[OUTLINE, HOLE]]).to_triangle())
     assert sweep_cdt.verify(back) and sweep_cdt.verify(given, back)
-    sides = lambda d: {
-        (frozenset(corners), corners[i], frozenset(d["triangles"][n].tolist()) if n >= 0 else None)
-        for corners, across in zip(d["triangles"].tolist(), d["neighbors"].tolist())
+    sides = lambda triangles, neighbors: {
+        (frozenset(corners), corners[i], frozenset(triangles[n].tolist()) if n >= 0 else None)
+        for corners, across in zip(triangles.tolist(), neighbors.tolist())
         for i, n in enumerate(across)
     }
     # Without ties the triangles are the same.
-    assert sides(sweep_cdt.triangulate(POINTS).to_triangle()) == sides(triangle.triangulate({"vertices": POINTS}, "n"))
+    theirs, ours = triangle.triangulate({"vertices": POINTS}, "n"), sweep_cdt.triangulate(POINTS)
+    assert sides(ours.simplices, ours.neighbors) == sides(theirs["triangles"], theirs["neighbors"])
 
 
 def test_shapely():

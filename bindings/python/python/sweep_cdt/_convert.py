@@ -149,8 +149,8 @@ def to_geodataframe(self: Triangulation) -> Any:
 def to_triangle(self: Triangulation) -> dict[str, np.ndarray]:
     """The dictionary that `triangle.triangulate` returns and takes: of the triangles inside.
 
-    The dictionary has the vertices, triangles, neighbors and segments, a point in each hole, and `heights` as attributes of
-    the vertices. The segments are the constrained sides; where all of the hull is inside, those of the hull too, as of
+    The dictionary has the vertices, triangles and segments, a point in each hole, and `heights` as attributes of the
+    vertices; no neighbors, which `triangle` gives and does not take. The segments are the constrained sides; where all of the hull is inside, those of the hull too, as of
     triangle's option ``c``. The arrays are copies, which may be written to.
 
     Examples
@@ -158,21 +158,13 @@ def to_triangle(self: Triangulation) -> dict[str, np.ndarray]:
     >>> import sweep_cdt
     >>> square = sweep_cdt.triangulate([[0, 0], [4, 0], [4, 4], [0, 4]])
     >>> {name: array.shape for name, array in square.to_triangle().items()}
-    {'vertices': (4, 2), 'triangles': (2, 3), 'neighbors': (2, 3), 'segments': (4, 2)}
+    {'vertices': (4, 2), 'triangles': (2, 3), 'segments': (4, 2)}
     """
-    kept = np.flatnonzero(self.inside)
-    number = np.full(len(self.inside) + 1, -1, dtype=np.int32)
-    number[kept] = np.arange(len(kept))
     segments = self.constrained_sides
     if self.rule == "hull":
         segments = np.unique(np.sort(np.concatenate([segments, self.convex_hull]), axis=1), axis=0)
     points = as_doubles(self._input.points)
-    result = {
-        "vertices": points,
-        "triangles": self.triangles,
-        "neighbors": number[self.neighbors[kept]],
-        "segments": segments,
-    }
+    result = {"vertices": points, "triangles": self.triangles, "segments": segments}
     if len(seeds := _seeds_of_holes(self, points)):
         result["holes"] = seeds
     if self.heights is not None:
