@@ -11,6 +11,7 @@ use sweep_cdt_formats::{Column, Coordinate, GraphFile};
 
 use crate::calls::call;
 use crate::input::{ExactPoints, Graph, Input, with_graph};
+use crate::remarks::Remarks;
 use crate::triangulation::table;
 
 /// All pairs of edges that cross.
@@ -119,9 +120,10 @@ type Pieces<'py> = (
     usize,
     f64,
     Option<Bound<'py, PyArray1<f64>>>,
+    Remarks,
 );
 
-/// Splits edges where they cross: points, pieces, the edge of each piece, rounds, displacement and heights.
+/// Splits edges where they cross: points, pieces, the edge of each piece, rounds, displacement, heights and remarks.
 #[pyfunction]
 pub(crate) fn split<'py>(py: Python<'py>, input: Input<'_>) -> PyResult<Pieces<'py>> {
     let heights = input.heights()?;
@@ -155,5 +157,6 @@ fn pieces<'py, S: Kind + Coordinate>(
         splitting.rounds,
         splitting.displacement,
         heights.map(|heights| heights.into_pyarray(py)),
+        Remarks(file.remarks),
     ))
 }

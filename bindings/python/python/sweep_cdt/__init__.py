@@ -22,6 +22,7 @@ from ._errors import (
 )
 from ._measure import fronts, measure
 from ._native import __version__
+from ._remarks import Remark, RemarkError, RemarkWarning
 from ._report import Report
 from ._trace import Trace, trace
 from ._triangulation import Triangulation, triangulate, triangulate_inside
@@ -38,6 +39,9 @@ __all__ = [
     "NonFiniteError",
     "OpenRingError",
     "OutOfMemoryError",
+    "Remark",
+    "RemarkError",
+    "RemarkWarning",
     "Report",
     "SeedError",
     "ShapeError",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -11,6 +12,7 @@ import numpy as np
 from . import _native
 from ._graph import as_input
 from ._input import Input, as_fractions, called
+from ._remarks import Remark, say, told
 
 
 def crossings(points: Any, edges: Any = None) -> Crossings:
@@ -34,7 +36,9 @@ def crossings(points: Any, edges: Any = None) -> Crossings:
     >>> found.exact(0)
     (Fraction(3, 2), Fraction(1, 2))
     """
-    return _found(as_input(points, edges))
+    given = as_input(points, edges)
+    say(given.remarks)
+    return _found(given)
 
 
 def _found(given: Input) -> Crossings:
@@ -80,7 +84,7 @@ class Crossings:
         return Fraction(*x), Fraction(*y)
 
 
-def split(points: Any, edges: Any = None) -> Split:
+def split(points: Any, edges: Any = None, *, strict: bool = False) -> Split:
     """Splits edges where they cross, so that they can be triangulated.
 
     Fractions are split exactly. With doubles each place is rounded to the nearest double, and edges that then cross are
@@ -88,12 +92,17 @@ def split(points: Any, edges: Any = None) -> Split:
 
     Parameters
     ----------
-    points, edges
+    points, edges, strict
         As of `triangulate`.
 
     Returns
     -------
     Split
+
+    Raises
+    ------
+    Error
+        As of `triangulate`; `TooLargeError`, if there are too many crossings, or too many rounds.
 
     Examples
     --------
@@ -104,7 +113,7 @@ def split(points: Any, edges: Any = None) -> Split:
     >>> pieces.pieces_of.tolist(), pieces.rounds, pieces.displacement
     ([0, 0, 1, 1], 1, 0.0)
     """
-    return split_input(as_input(points, edges))
+    return told(split_input(as_input(points, edges)), strict)
 
 
 def split_input(given: Input) -> Split:
@@ -129,6 +138,8 @@ class Split:
         How many units in the last place an edge moved at most.
     heights : ndarray of float of shape (n + k,), or None
         The heights of the points, as of `Triangulation.heights`.
+    remarks : tuple of Remark
+        What was ignored, or decided.
     """
 
     def __init__(
@@ -140,6 +151,7 @@ class Split:
         rounds: int,
         displacement: float,
         heights: np.ndarray | None,
+        remarks: Sequence[Remark],
     ) -> None:
         self._given = given
         self._points = points
@@ -148,6 +160,7 @@ class Split:
         self.rounds = rounds
         self.displacement = displacement
         self.heights = heights
+        self.remarks = (*given.remarks, *remarks)
 
     def __repr__(self) -> str:
         return f"<Split of {self.count} edges into {len(self._edges)} pieces>"
@@ -185,5 +198,10 @@ class Split:
         ring_of = None if given.ring_of is None else given.ring_of[self.pieces_of]
         # Features of edges are asked for in errors of the input alone.
         return given.changed(
-            points=self._points, edges=self._edges, ring_of=ring_of, heights=self.heights, feature_of=None
+            points=self._points,
+            edges=self._edges,
+            ring_of=ring_of,
+            heights=self.heights,
+            feature_of=None,
+            remarks=self.remarks,
         )

@@ -15,10 +15,13 @@ import numpy as np
 from . import _native
 from ._errors import Error, KindError
 from ._input import Input
+from ._remarks import Remark
 
 GEOJSON = {"Feature", "FeatureCollection", "GeometryCollection", "LineString", "MultiLineString", "MultiPoint"} | {
     "MultiPolygon", "Point", "Polygon"
 }  # fmt: skip
+# The name of the column of heights.
+HEIGHT = "z"
 COLLECTIONS = {"MultiPoint", "MultiLineString", "MultiPolygon", "GeometryCollection"}
 
 
@@ -85,7 +88,10 @@ def _of_document(document: dict[str, Any], name: str) -> Geometries:
         found = [None if geometry is None else shapely.geometry.shape(geometry) for geometry in geometries]
     except (shapely.errors.ShapelyError, ValueError, TypeError, KeyError, AttributeError, IndexError) as error:
         raise KindError(f"{name} is no right GeoJSON: {type(error).__name__}: {error}") from None
-    return Geometries(_array(found))
+    # RFC 7946 has no `crs`; programs that are older write one.
+    crs = document.get("crs")
+    name_of_crs = (crs.get("properties") or {}).get("name") if isinstance(crs, dict) else None
+    return Geometries(_array(found), name_of_crs)
 
 
 def _of_members(members: Iterable[Any], name: str) -> Geometries:
@@ -176,21 +182,28 @@ def of_geometries(given: Geometries) -> Input:
     edge_ring = np.maximum(chain[step] - (len(chains) - len(rings)), -1)
     is_hole = np.r_[False, ring_polygon[1:] == ring_polygon[:-1]][: len(ring_polygon)]
     points, first, vertex = _distinct(places[:, :2])
+    measures = shapely.get_num_coordinates(parts[shapely.has_m(parts)]).sum() if hasattr(shapely, "has_m") else 0
+    heights, remarks = None, _native.ignored(int(measures), "measure", "measures")
+    if shapely.has_z(parts).any():
+        heights, conflicts = gathered(places[:, 2], vertex, len(points), HEIGHT)
+        remarks += conflicts
     return Input(
         points,
         np.ascontiguousarray(vertex[np.stack([step, step + 1], axis=1)].reshape(-1, 2), dtype=np.uintp),
         list(zip(ring_polygon.tolist(), is_hole.tolist())),
         edge_ring.astype(np.int64),
         features=of[is_polygon].tolist(),
-        heights=gathered(places[:, 2], vertex, len(points)) if shapely.has_z(parts).any() else None,
+        heights=heights,
         crs=given.crs,
         feature_of=(chain_feature[chain[first]], chain_feature[chain[step]]),
+        remarks=remarks,
     )
 
 
-def gathered(heights: np.ndarray, vertices: np.ndarray, count: int) -> np.ndarray:
-    """The height of each of so many vertices: the first that one of its places has."""
-    return _native.gathered(np.ascontiguousarray(heights), np.ascontiguousarray(vertices, dtype=np.uintp), count)
+def gathered(values: np.ndarray, vertices: np.ndarray, count: int, name: str) -> tuple[np.ndarray, list[Remark]]:
+    """The value of each of so many vertices: the first that one of its places has. And the remark on other ones."""
+    vertices = np.ascontiguousarray(vertices, dtype=np.uintp)
+    return _native.gathered(np.ascontiguousarray(values), vertices, count, name)
 
 
 def _distinct(places: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

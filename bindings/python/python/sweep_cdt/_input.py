@@ -28,6 +28,7 @@ from ._errors import (
     OpenRingError,
     ShapeError,
 )
+from ._remarks import Remark
 
 T = TypeVar("T")
 
@@ -178,6 +179,7 @@ class Input:
         heights: np.ndarray | None = None,
         crs: Any = None,
         feature_of: tuple[np.ndarray, np.ndarray] | None = None,
+        remarks: Sequence[Remark] = (),
     ) -> None:
         self.points = points
         self.edges = edges
@@ -196,6 +198,8 @@ class Input:
         self.crs = crs
         # The feature of each point and of each edge, if the input is of geometries.
         self.feature_of = feature_of
+        # What was ignored or decided when the input was read.
+        self.remarks = tuple(remarks)
         self._alike()
 
     def changed(self, **attributes: Any) -> Input:

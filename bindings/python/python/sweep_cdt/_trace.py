@@ -10,6 +10,7 @@ from typing import Any, overload
 from . import _native
 from ._graph import as_input
 from ._input import Input, called
+from ._remarks import say
 
 
 def trace(points: Any, edges: Any = None, *, heuristics: str = "fast") -> Trace:
@@ -37,7 +38,9 @@ def trace(points: Any, edges: Any = None, *, heuristics: str = "fast") -> Trace:
     >>> print(steps.words(3))
     triangle 0 P-1 P-2 (first)
     """
-    return _traced(as_input(points, edges), heuristics)
+    given = as_input(points, edges)
+    say(given.remarks)
+    return _traced(given, heuristics)
 
 
 def _traced(given: Input, heuristics: str) -> Trace:

@@ -12,9 +12,10 @@ import numpy as np
 from . import _convert, _native
 from ._arrays import as_values
 from ._errors import CrossingEdgesError
-from ._geometries import gathered
+from ._geometries import HEIGHT, gathered
 from ._graph import as_input, as_queries, stacked
-from ._input import Input, as_count, as_fractions, as_points, called
+from ._input import Input, as_count, as_fractions, called
+from ._remarks import Remark, say, told
 
 if TYPE_CHECKING:
     from ._crossings import Split
@@ -34,6 +35,7 @@ def triangulate(
     inside: str | None = None,
     split_crossings: bool = False,
     threads: int | None = None,
+    strict: bool = False,
 ) -> Triangulation:
     """The constrained Delaunay triangulation of points and edges.
 
@@ -68,6 +70,8 @@ def triangulate(
     threads : int, optional
         How many threads work, 0 for as many as there are cores. The default is one. The triangles are the same, but
         several threads number them otherwise, and take up to half more memory. Few points are left to one thread.
+    strict : bool, optional
+        Whether it is an error if something of the input would get lost. Otherwise `RemarkWarning` says so.
 
     Returns
     -------
@@ -78,7 +82,7 @@ def triangulate(
     Error
         One of its kinds, with the offenders as attributes: `CrossingEdgesError`, `NonFiniteError`,
         `EdgeOutOfRangeError`, `ShapeError`, `KindError`, `OpenRingError`, `SeedError`, `TooLargeError`,
-        `OutOfMemoryError`.
+        `OutOfMemoryError`, `RemarkError`.
 
     Examples
     --------
@@ -107,7 +111,7 @@ def triangulate(
     (8, 72.0)
     """
     given = as_input(points, edges, polygons, holes)
-    return made(given, inside, split_crossings, threads, None)
+    return told(made(given, inside, split_crossings, threads, None), strict)
 
 
 def triangulate_inside(
@@ -139,6 +143,7 @@ def triangulate_inside(
     [[0, 1, 5], [0, 4, 3]]
     """
     given = as_input(points, edges, polygons, None)
+    say(given.remarks)
     return called(_native.triangulate_inside, given, inside)
 
 
@@ -211,6 +216,8 @@ class Triangulation:
         The rule for what is inside.
     split : Split or None
         How edges were split, if `split_crossings` was asked for. Then `points` and `edges` are those of the pieces.
+    remarks : tuple of Remark
+        What was ignored, merged or decided, and what is missing.
     stats : dict
         How many points, edges and triangles there are; of `measure` also times and counters.
     """
@@ -252,14 +259,31 @@ class Triangulation:
     def edges(self) -> np.ndarray:
         return _fixed(self._input.edges.view(np.intp))
 
-    @functools.cached_property
+    @property
     def heights(self) -> np.ndarray | None:
+        return self._shared[0]
+
+    @functools.cached_property
+    def _shared(self) -> tuple[np.ndarray | None, list[Remark]]:
+        """The heights, and the remarks on those of equal points."""
         heights = self._input.heights
-        if heights is None or not len(self.duplicates):
-            return heights if heights is None else _fixed(heights.view())
-        first = np.arange(len(heights))
+        if heights is None:
+            return None, []
+        shared, remarks = self._of_equal(heights, HEIGHT)
+        return _fixed(shared.view()), remarks
+
+    def _of_equal(self, values: np.ndarray, name: str) -> tuple[np.ndarray, list[Remark]]:
+        """Values of which equal points have one, and the remark on other ones."""
+        if not len(self.duplicates):
+            return values, []
+        first = np.arange(len(values))
         first[self.duplicates[:, 0]] = self.duplicates[:, 1]
-        return _fixed(gathered(heights, first, len(heights))[first])
+        shared, remarks = gathered(values, first, len(values), name)
+        return shared[first], remarks
+
+    @functools.cached_property
+    def remarks(self) -> tuple[Remark, ...]:
+        return (*self._input.remarks, *self._shared[1])
 
     @property
     def crs(self) -> Any:
@@ -410,7 +434,7 @@ class Triangulation:
         found[finite] = self._core.locate(points, queries)
         return found.reshape(shape)
 
-    def interpolate(self, values: Any, xi: Any) -> np.ndarray:
+    def interpolate(self, values: Any, xi: Any, *, strict: bool = False) -> np.ndarray:
         """Values at points, interpolated linearly in each triangle that is inside.
 
         Parameters
@@ -420,13 +444,16 @@ class Triangulation:
         xi : array_like of shape (..., 2), points as geometries, or a tuple of x and y
             Where to interpolate, in the units of the triangulation. A tuple has an array of x and one of y, as of SciPy.
             Geometries are those of shapely and geopandas, of which a CRS is that of the triangulation.
+        strict : bool, optional
+            As of `triangulate`.
 
         Returns
         -------
         ndarray of shape (...) or (..., k)
             In the units of the values. NaN where no triangle is inside, and where a value that counts is not there. Where a
             point lies is decided exactly; on a side the values of its two ends count, at a corner that of the corner
-            alone. Equal points are one corner, with the first value that one of them has.
+            alone. Equal points are one corner, with the first value that one of them has; a `RemarkWarning` names the
+            first other one.
 
         Raises
         ------
@@ -446,6 +473,8 @@ class Triangulation:
         rest = values.shape[1:]
         points, queries, finite, shape = as_queries(stacked(xi), "xi", self._input)
         columns = np.ascontiguousarray(values.reshape(count, math.prod(rest)))
+        for column in columns.T if len(self.duplicates) else ():
+            say(self._of_equal(column, "values")[1], strict)
         result = np.full((len(finite), columns.shape[1]), np.nan)
         found = self._core.interpolate(self._input, self.rule, columns, (points, queries))
         result[finite] = found.reshape(len(queries), columns.shape[1])
