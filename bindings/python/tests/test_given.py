@@ -1,6 +1,7 @@
 """What is handed in: masks, nullable columns and frames in every argument, and geometries in every wrapping.
 
-Each form has the meaning of the plain array or list that it stands for; what is no number is refused by name, or missing.
+Each form has the meaning of the plain array or list that it stands for; what is no number is refused by name, or
+missing.
 """
 
 import decimal
@@ -25,7 +26,7 @@ NEEDED = {
     "holes": (np.array([[2.0, 1.0], [1.0, 2.0]]), lambda given: sweep_cdt.triangulate(SQUARE, RING, holes=given)),
     "polygons[0][0]": (SQUARE, lambda given: sweep_cdt.triangulate([], polygons=[[given]])),
     "polygons[0][1]": (np.arange(4), lambda given: sweep_cdt.triangulate(SQUARE, polygons=[[[0, 1, 2], given]])),
-    "regions": (np.array([[2.0, 1.0, 7.0, 0.0]]), lambda given: sweep_cdt.triangulate({"vertices": SQUARE, "regions": given})),
+    "regions": (np.ones((1, 4)), lambda given: sweep_cdt.triangulate({"vertices": SQUARE, "regions": given})),
     "simplices": (np.array(TRIANGLES), lambda given: sweep_cdt.verify(SQUARE, given)),
     "triangles": (np.array(TRIANGLES), lambda given: sweep_cdt.verify({"vertices": SQUARE, "triangles": given})),
 }  # fmt: skip
@@ -119,7 +120,10 @@ def test_edges_and_triangles_of_nullable_columns():
 def test_whole_numbers_beside_doubles_are_not_rounded():
     big = 2**60
     rows = [[0.5, big], [0.5, big + 1], [1.5, big]]
-    frames = [lambda: pytest.importorskip("pandas").DataFrame(rows), lambda: pytest.importorskip("pandas").DataFrame(rows).convert_dtypes()]
+    frames = [
+        lambda: pytest.importorskip("pandas").DataFrame(rows),
+        lambda: pytest.importorskip("pandas").DataFrame(rows).convert_dtypes(),
+    ]
     frames += [lambda: pytest.importorskip("polars").DataFrame(rows, orient="row")]
     frames += [lambda: pytest.importorskip("pyarrow").table(dict(zip("xy", zip(*rows))))]
     made = []
@@ -128,8 +132,8 @@ def test_whole_numbers_beside_doubles_are_not_rounded():
             made.append(frame())
         except pytest.skip.Exception:
             continue
-    for given in [rows, *made]:
-        assert sweep_cdt.triangulate(given).points.tolist() == rows, type(given)
+    for form in [rows, *made]:
+        assert sweep_cdt.triangulate(form).points.tolist() == rows, type(form)
 
 
 def test_decimals_of_a_column():
@@ -158,9 +162,13 @@ def features_of(shapely, kinds, z=None):
     for parts in kinds:
         made = []
         for kind in parts:
-            places = {"point": [(0, 0)], "line": [(0, 0), (1, 2), (2, 1)], "polygon": [(0, 0), (3, 0), (3, 3), (0, 3)]}[kind]
+            places = {"point": [(0, 0)], "line": [(0, 0), (1, 2), (2, 1)], "polygon": [(0, 0), (3, 0), (3, 3), (0, 3)]}[
+                kind
+            ]
             places = [(x + a, b) if z is None else (x + a, b, z(x + a, b)) for a, b in places]
-            make = {"point": lambda p: shapely.Point(p[0]), "line": shapely.LineString, "polygon": shapely.Polygon}[kind]
+            make = {"point": lambda p: shapely.Point(p[0]), "line": shapely.LineString, "polygon": shapely.Polygon}[
+                kind
+            ]
             made.append(make(places))
             x += 5
         if not made:
@@ -227,7 +235,9 @@ def test_polygons_seeds_and_places_may_be_geometries():
     import geopandas
     import shapely
 
-    squares = geopandas.GeoSeries([shapely.MultiPolygon([shapely.box(0, 0, 1, 1), shapely.box(3, 0, 4, 1)]), shapely.box(1, 0, 2, 1)])
+    squares = geopandas.GeoSeries(
+        [shapely.MultiPolygon([shapely.box(0, 0, 1, 1), shapely.box(3, 0, 4, 1)]), shapely.box(1, 0, 2, 1)]
+    )
     result = sweep_cdt.triangulate([[9, 9]], polygons=squares)
     assert result.area == 3 and sorted(result.region[result.inside].tolist()) == [0, 0, 0, 0, 1, 1]
     without = sweep_cdt.triangulate(SQUARE, RING, holes=geopandas.GeoSeries([shapely.Point(2, 1)]))

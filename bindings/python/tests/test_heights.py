@@ -118,7 +118,9 @@ def values_in_fractions(points, simplices, values, place):
 
 
 HEIGHTS = st.one_of(st.integers(-1000, 1000).map(float), st.floats(-1e6, 1e6))
-SHARES = st.sampled_from([Fraction(0), Fraction(1, 2), Fraction(1, 4), Fraction(3, 8), Fraction(1, 3), Fraction(10**9 - 1, 10**9)])
+SHARES = st.sampled_from(
+    [Fraction(0), Fraction(1, 2), Fraction(1, 4), Fraction(3, 8), Fraction(1, 3), Fraction(10**9 - 1, 10**9)]
+)
 
 
 def judged_values(points, values, shares, convert):

@@ -177,7 +177,8 @@ def test_triangle_takes_what_is_made_for_it(options):
         theirs = triangle.triangulate(ours.to_triangle(), options)
         if options.startswith("pr") and options[-1] not in "q5":
             # Nothing is to be refined.
-            assert {frozenset(t) for t in theirs["triangles"].tolist()} == {frozenset(t) for t in ours.triangles.tolist()}
+            sets = [{frozenset(t) for t in triangles.tolist()} for triangles in (theirs["triangles"], ours.triangles)]
+            assert sets[0] == sets[1]
         if "p" in options:
             area = sweep_cdt.triangulate(theirs["vertices"], polygons=[[t] for t in theirs["triangles"]]).area
             assert abs(area - ours.area) < 1e-9
@@ -235,18 +236,16 @@ def test_meshio_and_pyvista_take_heights(tmp_path):
     shapely = pytest.importorskip("shapely")
     polygon, result = roof(shapely)
     heights = result.heights
-    for name, places in (("meshio", lambda: result.to_meshio().points), ("pyvista", lambda: result.to_pyvista().points)):
-        pytest.importorskip(name)
-        assert np.asarray(places())[:, 2].tolist() == heights.tolist()
-    import meshio
-    import pyvista
-
+    meshio, pyvista = pytest.importorskip("meshio"), pytest.importorskip("pyvista")
+    for mesh in (result.to_meshio(), result.to_pyvista()):
+        assert np.asarray(mesh.points)[:, 2].tolist() == heights.tolist()
     result.to_meshio().write(tmp_path / "roof.vtu")
     again = meshio.read(tmp_path / "roof.vtu")
     assert again.points[:, 2].tolist() == heights.tolist() and sweep_cdt.verify(polygon, again)
     mesh = result.to_pyvista()
     assert mesh.bounds[4:] == (heights.min(), heights.max()) and mesh.triangulate().n_cells >= len(result.triangles)
-    assert mesh.elevation().n_points == len(heights) and isinstance(mesh.contour([15.0], scalars=mesh.points[:, 2]), pyvista.PolyData)
+    assert mesh.elevation().n_points == len(heights)
+    assert isinstance(mesh.contour([15.0], scalars=mesh.points[:, 2]), pyvista.PolyData)
     masked = np.ma.array(heights, mask=heights > 20)
     assert np.isnan(result.to_meshio(masked).points[:, 2]).sum() == (heights > 20).sum()
     for wrong in ([1, 2], np.zeros((len(heights), 2))):

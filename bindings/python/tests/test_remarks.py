@@ -1,4 +1,4 @@
-"""Remarks: each is a warning, in the list of the result, and with `strict` an error; the sentence is that of the command."""
+"""Remarks: each is a warning, in the list of the result, and with `strict` an error, in the words of the command."""
 
 import pickle
 import subprocess

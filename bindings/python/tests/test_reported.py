@@ -1,5 +1,7 @@
-"""Inputs of public reports on other programs, each with the result that its reporter wants. They were made anew with the same
-geometry or form."""
+"""Inputs of public reports on other programs, each with the result that its reporter wants.
+
+They were made anew with the same geometry or form.
+"""
 
 import pickle
 

@@ -1,7 +1,7 @@
 """What is handed in, as plain arrays: the one place that reads masks, nullable columns and frames.
 
-A masked entry and a missing one (NA of pandas, None) are one thing: there is no number. Where a number must be, they are
-refused by name. Among values, and where values are asked for, they are NaN.
+A masked entry and a missing one (NA of pandas, None) are one thing: there is no number. Where a number must be, they
+are refused by name. Among values, and where values are asked for, they are NaN.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ WHOLE = 2**53
 
 
 def as_array(given: Any, name: str, missing: bool = False, columns: int | None = 2) -> np.ndarray:
-    """An array without a mask. Where `missing` allows them, missing entries are NaN. Its rows should have so many columns."""
+    """An array without a mask, of rows with so many columns. Where `missing` allows them, missing entries are NaN."""
     try:
         array, mask = _read(given)
     except ValueError:
@@ -46,7 +46,11 @@ def _ragged(rows: Any, name: str, columns: int | None) -> ShapeError:
     for position, row in enumerate(rows if columns else ()):
         length = len(row) if hasattr(row, "__len__") else None
         if length != columns:
-            what = f"is no {'pair' if columns == 2 else 'triple'}" if length is None else f"has {length} numbers, not {columns}"
+            what = (
+                f"is no {'pair' if columns == 2 else 'triple'}"
+                if length is None
+                else f"has {length} numbers, not {columns}"
+            )
             return ShapeError(f"{name}[{position}] {what}", position=position)
     return ShapeError(f"{name} is no array: its rows differ in length")
 

@@ -15,7 +15,19 @@ if TYPE_CHECKING:
 
 
 def to_matplotlib(self: Triangulation) -> Any:
-    """The triangles inside as a `matplotlib.tri.Triangulation`: for `tripcolor`, `tricontour` and interpolators."""
+    """The triangles inside as a `matplotlib.tri.Triangulation`: for `tripcolor`, `tricontour` and interpolators.
+
+    Raises
+    ------
+    Error
+        If no triangles are inside.
+
+    Examples
+    --------
+    >>> import matplotlib, sweep_cdt
+    >>> sweep_cdt.triangulate([[0, 0], [4, 0], [0, 4]]).to_matplotlib().triangles.tolist()
+    [[2, 0, 1]]
+    """
     import matplotlib.tri
 
     if not len(self.triangles):
@@ -68,7 +80,18 @@ def to_meshio(self: Triangulation, z: Any = None) -> Any:
     Parameters
     ----------
     z : array_like of shape (n,), optional
-        The height of each point. The default are `heights`; 0, if there are none.
+        The height of each point, in the units of the points. The default are `heights`; 0, if there are none.
+
+    Raises
+    ------
+    Error
+        `ShapeError` and `KindError`, if `z` has not a number for each point.
+
+    Examples
+    --------
+    >>> import meshio, sweep_cdt
+    >>> sweep_cdt.triangulate([[0, 0], [4, 0], [0, 4]]).to_meshio([1, 2, 3]).points.tolist()
+    [[0.0, 0.0, 1.0], [4.0, 0.0, 2.0], [0.0, 4.0, 3.0]]
     """
     import meshio
 
@@ -84,7 +107,18 @@ def to_pyvista(self: Triangulation, z: Any = None) -> Any:
     Parameters
     ----------
     z : array_like of shape (n,), optional
-        The height of each point. The default are `heights`; 0, if there are none.
+        As of `to_meshio`.
+
+    Raises
+    ------
+    Error
+        As of `to_meshio`.
+
+    Examples
+    --------
+    >>> import pyvista, sweep_cdt
+    >>> sweep_cdt.triangulate([[0, 0], [4, 0], [0, 4]]).to_pyvista([1, 2, 3]).bounds[4:]
+    (1.0, 3.0)
     """
     import pyvista
 
@@ -128,8 +162,8 @@ def to_geodataframe(self: Triangulation) -> Any:
     Returns
     -------
     geopandas.GeoDataFrame
-        A row for each of `triangles`. If there are regions, the column ``region`` has those of `Triangulation.region`: of
-        a GeoDataFrame the positions of its rows, so that ``frame.iloc[triangles.region]`` has their columns.
+        A row for each of `triangles`. If there are regions, the column ``region`` has those of `Triangulation.region`:
+        of a GeoDataFrame the positions of its rows, so that ``frame.iloc[triangles.region]`` has their columns.
 
     Examples
     --------
@@ -150,8 +184,15 @@ def to_triangle(self: Triangulation) -> dict[str, np.ndarray]:
     """The dictionary that `triangle.triangulate` returns and takes: of the triangles inside.
 
     The dictionary has the vertices, triangles and segments, a point in each hole, and `heights` as attributes of the
-    vertices; no neighbors, which `triangle` gives and does not take. The segments are the constrained sides; where all of the hull is inside, those of the hull too, as of
-    triangle's option ``c``. The arrays are copies, which may be written to.
+    vertices; no neighbors, which `triangle` gives and does not take. The segments are the constrained sides; where all of
+    the hull is inside, those of the hull too, as of triangle's option ``c``. The arrays are copies, which may be written
+    to. Equal points stay, and may make `triangle` crash.
+
+    Returns
+    -------
+    dict of ndarray
+        ``vertices`` of shape (n, 2), ``triangles`` of shape (u, 3), ``segments`` of shape (s, 2), ``holes`` of shape
+        (h, 2) and ``vertex_attributes`` of shape (n, 1).
 
     Examples
     --------

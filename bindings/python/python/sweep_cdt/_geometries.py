@@ -1,7 +1,7 @@
-"""Geometries in every wrapping: of shapely and geopandas, in lists, arrays and columns, and what has `__geo_interface__`.
+"""Geometries in every wrapping: of shapely and geopandas, in lists, arrays and columns, and of `__geo_interface__`.
 
-A feature is a geometry by its place in what is handed in; it may have several parts, and parts of parts. An object is known
-by what it has, so that shapely is imported where there are geometries.
+A feature is a geometry by its place in what is handed in; it may have several parts, and parts of parts. An object is
+known by what it has, so that shapely is imported where there are geometries.
 """
 
 from __future__ import annotations
@@ -47,7 +47,9 @@ def as_geometries(given: Any, name: str = "points") -> Geometries | None:
     if hasattr(given, "dtype"):
         members = np.asarray(given).ravel() if given.dtype == object else ()
     else:
-        has_members = isinstance(given, Iterable) and hasattr(given, "__len__") and not isinstance(given, (str, bytes, dict))
+        has_members = (
+            isinstance(given, Iterable) and hasattr(given, "__len__") and not isinstance(given, (str, bytes, dict))
+        )
         members = given if has_members else ()
     first = next((member for member in members if member is not None), None)
     if first is None or not (_is_of(first, "geopandas") or _is_geometry(first) or _document(first) is not None):
@@ -75,7 +77,9 @@ def _of_geopandas(given: Any, name: str) -> Geometries:
         try:
             given = given.geometry
         except AttributeError:
-            raise KindError(f"{name} is a GeoDataFrame without a column of geometries: set_geometry names one") from None
+            raise KindError(
+                f"{name} is a GeoDataFrame without a column of geometries: set_geometry names one"
+            ) from None
     return Geometries(np.asarray(given, dtype=object), given.crs)
 
 
@@ -103,7 +107,9 @@ def _of_members(members: Iterable[Any], name: str) -> Geometries:
             continue
         inner = as_geometries(member, f"{name}[{position}]")
         if inner is None:
-            raise KindError(f"{name}[{position}] is no geometry but of the type {type(member).__name__}", position=(position,))
+            raise KindError(
+                f"{name}[{position}] is no geometry but of the type {type(member).__name__}", position=(position,)
+            )
         found.append(inner.features)
         systems.append(inner.crs)
     known = [crs for crs in systems if crs is not None]

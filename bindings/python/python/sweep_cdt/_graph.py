@@ -9,7 +9,7 @@ import numpy as np
 
 from ._arrays import as_array, as_values, listed
 from ._errors import Error, KindError, ShapeError
-from ._geometries import agree, as_geometries, as_places, of_geometries, rings_of
+from ._geometries import as_geometries, as_places, of_geometries, rings_of
 from ._input import Input, as_edges, as_points
 
 
@@ -40,43 +40,6 @@ def as_input(given: Any, edges: Any = None, polygons: Any = None, holes: Any = N
         heights = first_column(heights, len(points), "vertex_attributes")
     whole = Input(points, as_edges(edges), holes=holes, regions=regions, attributes=attributes, heights=heights)
     return whole if polygons is None else _with_polygons(whole, polygons)
-
-
-def as_queries(given: Any, name: str, own: Input) -> tuple[Any, Any, np.ndarray, tuple[int, ...]]:
-    """Points to look for, in an array of any shape or as geometries: the finite ones, and the points of the input in the
-    same arithmetic; which ones are finite, and the shape."""
-    given = listed(given)
-    if (geometries := as_geometries(given, name)) is not None:
-        agree(own.crs, geometries.crs, name)
-        array = as_places(geometries, name)
-    else:
-        array = as_array(given, name, missing=True)
-    if array.ndim == 0 or array.shape[-1] != 2:
-        raise ShapeError(f"{name} has the shape {array.shape}, not (..., 2)", shape=array.shape)
-    rows = array.reshape(-1, 2)
-    if rows.dtype.kind == "O":
-        is_finite = [not (isinstance(x, float) and not np.isfinite(x)) for x in rows.flat]
-        finite = np.array(is_finite, dtype=bool).reshape(-1, 2).all(axis=1)
-    else:
-        finite = np.isfinite(rows).all(axis=1) if rows.dtype.kind == "f" else np.ones(len(rows), dtype=bool)
-    queries, points = as_points(rows if finite.all() else rows[finite], name), own.points
-    # Doubles on a grid are looked up as doubles, others are converted to the kind of the points.
-    if isinstance(queries, np.ndarray) and own.is_exact:
-        queries = as_points(queries.astype(object), name)
-    elif not isinstance(queries, np.ndarray) and not own.is_exact:
-        points = as_points(points.astype(object))
-    return points, queries, finite, array.shape[:-1]
-
-
-def stacked(xi: Any) -> Any:
-    """A tuple of x and y as points, and anything else as it is."""
-    if not isinstance(xi, tuple) or len(xi) != 2 or as_geometries(xi) is not None:
-        return xi
-    x, y = (as_array(listed(axis), "xi", missing=True, columns=None) for axis in xi)
-    try:
-        return np.stack(np.broadcast_arrays(x, y), axis=-1)
-    except ValueError:
-        raise ShapeError(f"x has the shape {x.shape}, and y {y.shape}", shape=x.shape) from None
 
 
 def first_column(given: Any, count: int, name: str) -> np.ndarray | None:

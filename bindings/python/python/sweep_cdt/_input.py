@@ -36,8 +36,7 @@ NO_EDGES = np.empty((0, 2), dtype=np.uintp)
 
 
 def as_points(given: Any, name: str = "points", missing: bool = False) -> Any:
-    """Points as an array of doubles of shape (n, 2), or as exact points. Where `missing` allows them, missing coordinates
-    are NaN.
+    """Points as an array of doubles of shape (n, 2), or as exact points; missing ones are NaN where `missing` allows it.
 
     An array of the doubles of this machine, aligned and row by row in memory, is not copied.
     """

@@ -4,16 +4,14 @@ from __future__ import annotations
 
 import functools
 import json
-import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import _convert, _native
-from ._arrays import as_values
+from . import _convert, _native, _places
 from ._errors import CrossingEdgesError
-from ._geometries import HEIGHT, gathered
-from ._graph import as_input, as_queries, stacked
+from ._geometries import HEIGHT
+from ._graph import as_input
 from ._input import Input, as_count, as_fractions, called
 from ._remarks import Remark, say, told
 
@@ -48,17 +46,19 @@ def triangulate(
     points : array_like of shape (n, 2), or an object that has points
         Doubles, single precision, whole numbers, `Fraction` or `Decimal`: all exact. Where they are no doubles, a
         whole number, numerator or denominator has at most 10,000 digits, and an exponent is from -400 to 400; what is
-        beyond raises `TooLargeError`. Or geometries of shapely (one, or a list of them), a GeoDataFrame or GeoSeries, or
-        a dictionary of `triangle`: these bring their edges, polygons and holes. An array of doubles of which the rows
-        follow each other in memory is not copied: no other thread may write to it during the call, and whoever writes
-        to it later changes the result's points.
+        beyond raises `TooLargeError`. No point may be masked or missing. Frames of pandas and polars count as arrays.
+        Or geometries: of shapely, a GeoDataFrame, GeoSeries or its array, GeoJSON as a dictionary, what has
+        `__geo_interface__`, and lists and arrays of them; or a dictionary of `triangle`. These bring their edges,
+        polygons and holes, and `heights` and `crs`. An array of doubles of which the rows follow each other in memory is
+        not copied: no other thread may write to it during the call, and whoever writes to it later changes the result's
+        points.
     edges : array_like of int of shape (m, 2), optional
         Pairs of positions in `points`. Edges may come in any order, repeat, overlap, pass through points, and have no
         length.
     polygons : list, optional
         Polygons with holes: each a list of rings, the outline first. A ring is a list of positions in `points`, or of
-        coordinates, which are added to the points. Or polygons of shapely. The sides are edges, after `edges`.
-    holes : array_like of shape (k, 2), optional
+        coordinates, which are added to the points. Or polygons as geometries. The sides are edges, after `edges`.
+    holes : array_like of shape (k, 2), or points as geometries, optional
         For each hole a point in it, as of `triangle`.
     inside : str, optional
         Which triangles are inside: ``hull`` (all), ``polygons`` (what the polygons cover), ``holes`` (what is reached
@@ -114,9 +114,7 @@ def triangulate(
     return told(made(given, inside, split_crossings, threads, None), strict)
 
 
-def triangulate_inside(
-    points: Any, edges: Any = None, *, polygons: Any = None, inside: str = "even-odd"
-) -> np.ndarray:
+def triangulate_inside(points: Any, edges: Any = None, *, polygons: Any = None, inside: str = "even-odd") -> np.ndarray:
     """The triangles inside of polygons, where nothing else is asked for.
 
     They are those of `triangulate`. Of rings that neither touch nor cross only the inside is triangulated, by the rules
@@ -185,9 +183,9 @@ class Triangulation:
     edges : ndarray of int of shape (m, 2)
         The edges, those of polygons included.
     heights : ndarray of float of shape (n,), or None
-        The z of geometries, and the first of the ``vertex_attributes`` of a dictionary: for each point, NaN where it has
-        none; `None`, if no point has one. Equal points have the first that one of them has; where edges were split, the
-        height is that along the first edge.
+        The z of geometries, in their units, and the first of the ``vertex_attributes`` of a dictionary: for each point,
+        NaN where it has none; `None`, if no point has one. Equal points have the first that one of them has; where edges
+        were split, the height is that along the first edge.
     crs : object or None
         The coordinate system of a GeoDataFrame or GeoSeries.
     simplices : ndarray of int32 of shape (t, 3)
@@ -269,17 +267,8 @@ class Triangulation:
         heights = self._input.heights
         if heights is None:
             return None, []
-        shared, remarks = self._of_equal(heights, HEIGHT)
+        shared, remarks = _places.of_equal(self, heights, HEIGHT)
         return _fixed(shared.view()), remarks
-
-    def _of_equal(self, values: np.ndarray, name: str) -> tuple[np.ndarray, list[Remark]]:
-        """Values of which equal points have one, and the remark on other ones."""
-        if not len(self.duplicates):
-            return values, []
-        first = np.arange(len(values))
-        first[self.duplicates[:, 0]] = self.duplicates[:, 1]
-        shared, remarks = gathered(values, first, len(values), name)
-        return shared[first], remarks
 
     @functools.cached_property
     def remarks(self) -> tuple[Remark, ...]:
@@ -400,85 +389,9 @@ class Triangulation:
         """
         return self._core.boundary(self._input, self.rule)
 
-    def find_simplex(self, xi: Any, bruteforce: bool = False, tol: float | None = None) -> np.ndarray:
-        """The triangles that hold points, exactly.
-
-        Parameters
-        ----------
-        xi : array_like of shape (..., 2), or points as geometries
-            The points, in the units of the triangulation. Of a point on a side or at a corner one of its triangles is
-            found. Geometries are those of shapely and geopandas, of which a CRS is that of the triangulation.
-        bruteforce, tol : optional
-            Not used: SciPy has them.
-
-        Returns
-        -------
-        ndarray of int32 of shape (...)
-            Positions in `simplices`; -1 outside of the hull, and for points that are not finite, masked or missing.
-
-        Raises
-        ------
-        Error
-            `ShapeError` and `KindError`, if `xi` has no points; `Error`, if it has another CRS.
-
-        Examples
-        --------
-        >>> import sweep_cdt
-        >>> result = sweep_cdt.triangulate([[0, 0], [4, 0], [0, 4]])
-        >>> result.find_simplex([[1, 1], [0, 4], [3, 3]]).tolist()
-        [0, 0, -1]
-        """
-        del bruteforce, tol
-        points, queries, finite, shape = as_queries(xi, "xi", self._input)
-        found = np.full(len(finite), -1, dtype=np.int32)
-        found[finite] = self._core.locate(points, queries)
-        return found.reshape(shape)
-
-    def interpolate(self, values: Any, xi: Any, *, strict: bool = False) -> np.ndarray:
-        """Values at points, interpolated linearly in each triangle that is inside.
-
-        Parameters
-        ----------
-        values : array_like of shape (n,) or (n, k)
-            A value for each point: `heights`, for instance. One that is not finite, masked or missing is not there.
-        xi : array_like of shape (..., 2), points as geometries, or a tuple of x and y
-            Where to interpolate, in the units of the triangulation. A tuple has an array of x and one of y, as of SciPy.
-            Geometries are those of shapely and geopandas, of which a CRS is that of the triangulation.
-        strict : bool, optional
-            As of `triangulate`.
-
-        Returns
-        -------
-        ndarray of shape (...) or (..., k)
-            In the units of the values. NaN where no triangle is inside, and where a value that counts is not there. Where a
-            point lies is decided exactly; on a side the values of its two ends count, at a corner that of the corner
-            alone. Equal points are one corner, with the first value that one of them has; a `RemarkWarning` names the
-            first other one.
-
-        Raises
-        ------
-        Error
-            `ShapeError` and `KindError`, if there is not a value for each point, or if `xi` has no points; `Error`, if it
-            has another CRS.
-
-        Examples
-        --------
-        >>> import sweep_cdt
-        >>> hill = sweep_cdt.triangulate([[0, 0], [4, 0], [4, 4], [0, 4], [2, 2]])
-        >>> hill.interpolate([0, 0, 0, 0, 8], [[2, 1], [2, 2], [9, 9]]).tolist()
-        [4.0, 8.0, nan]
-        """
-        count = len(self._input.points)
-        values = as_values(values, count)
-        rest = values.shape[1:]
-        points, queries, finite, shape = as_queries(stacked(xi), "xi", self._input)
-        columns = np.ascontiguousarray(values.reshape(count, math.prod(rest)))
-        for column in columns.T if len(self.duplicates) else ():
-            say(self._of_equal(column, "values")[1], strict)
-        result = np.full((len(finite), columns.shape[1]), np.nan)
-        found = self._core.interpolate(self._input, self.rule, columns, (points, queries))
-        result[finite] = found.reshape(len(queries), columns.shape[1])
-        return result.reshape(shape + rest)
+    # Where points lie, and values there.
+    find_simplex = _places.find_simplex
+    interpolate = _places.interpolate
 
     # To other libraries.
     to_geodataframe = _convert.to_geodataframe
