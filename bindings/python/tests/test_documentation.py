@@ -16,7 +16,7 @@ MODULES = [f"sweep_cdt.{module.name}" for module in pkgutil.iter_modules(sweep_c
 
 
 def test_readme():
-    for needed in ("scipy", "shapely", "matplotlib"):
+    for needed in ("geopandas", "matplotlib", "rasterio", "scipy", "shapely"):
         pytest.importorskip(needed)
     failed, tried = doctest.testfile(str(README), module_relative=False)
     assert failed == 0 and tried > 20

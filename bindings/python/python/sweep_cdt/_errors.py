@@ -6,7 +6,10 @@ positions in the arrays that were passed.
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from ._remarks import Remark
 
 
 class Error(ValueError):
@@ -93,6 +96,12 @@ class OutOfMemoryError(Error, MemoryError):
     """There is less memory than the triangulation takes: some `bytes`."""
 
     bytes: int
+
+
+class RemarkError(Error):
+    """Something of the input would get lost, and ``strict=True`` refuses that: the `remarks` on it."""
+
+    remarks: tuple[Remark, ...]
 
 
 class InternalError(RuntimeError):

@@ -11,7 +11,7 @@ import warnings
 from collections.abc import Sequence
 from typing import Any, Protocol, TypeVar
 
-from ._errors import Error
+from ._errors import RemarkError
 
 
 class Remarked(Protocol):
@@ -55,12 +55,6 @@ class RemarkWarning(UserWarning):
     def __init__(self, remark: Remark) -> None:
         super().__init__(remark)
         self.remark = remark
-
-
-class RemarkError(Error):
-    """Something would get lost, and ``strict=True`` asks for an error: `remarks`."""
-
-    remarks: tuple[Remark, ...]
 
 
 def say(remarks: Sequence[Remark], strict: bool = False) -> None:
