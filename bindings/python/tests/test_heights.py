@@ -44,8 +44,17 @@ def test_a_coordinate_system_goes_to_the_triangles(kinds, crs):
     geopandas = pytest.importorskip("geopandas")
     import shapely
 
+    class Own(geopandas.GeoDataFrame):
+        pass
+
     series = geopandas.GeoSeries(features_of(shapely, kinds, slope), crs=crs)
-    for form in (series, series.values, geopandas.GeoDataFrame(geometry=series), [series, series[:0]]):
+    for form in (
+        series,
+        series.values,
+        geopandas.GeoDataFrame(geometry=series),
+        Own(geometry=series),
+        [series, series[:0]],
+    ):
         result = sweep_cdt.triangulate(form)
         assert result.crs == series.crs
         frame = result.to_geodataframe()

@@ -119,13 +119,14 @@ def test_all_results_go_to_another_process():
     """startinpy#17, isl-org/Open3D#218: what cannot be pickled."""
     crossing = [[0, 2], [1, 3]]
     split, crossings = sweep_cdt.split(SQUARE, crossing), sweep_cdt.crossings(SQUARE, crossing)
-    trace, report = sweep_cdt.trace(SQUARE, heuristics="off"), sweep_cdt.verify(SQUARE, [[0, 1, 2], [0, 2, 3]])
+    cloud = np.random.default_rng(5).random((30, 2))
+    trace, report = sweep_cdt.trace(cloud, heuristics="off"), sweep_cdt.verify(SQUARE, [[0, 1, 2], [0, 2, 3]])
     result = sweep_cdt.triangulate(SQUARE, [[0, 2]])
     for thing in (split, crossings, trace, trace.show(), report, result, sweep_cdt.measure(SQUARE)):
         again = pickle.loads(pickle.dumps(thing))
         assert type(again) is type(thing) and repr(again) == repr(thing)
     assert pickle.loads(pickle.dumps(crossings)).exact(0) == (2, 2)
-    assert list(pickle.loads(pickle.dumps(trace))) == list(trace)
+    assert list(pickle.loads(pickle.dumps(trace))) == list(trace) != list(sweep_cdt.trace(cloud))
     assert pickle.loads(pickle.dumps(split)).edges.tolist() == split.edges.tolist()
     assert str(pickle.loads(pickle.dumps(report))) == str(report)
 

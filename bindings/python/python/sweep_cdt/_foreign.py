@@ -78,8 +78,8 @@ def _of_dictionary(given: dict[str, Any]) -> Result:
     triangles = as_indices(given["triangles"], 3, "triangles")
     attributes = None
     if (of_triangles := given.get("triangle_attributes")) is not None:
-        attributes = first_column(of_triangles, len(triangles), "triangle_attributes")
-        attributes = [] if attributes is None else attributes.tolist()
+        first = first_column(of_triangles, len(triangles), "triangle_attributes")
+        attributes = [] if first is None else first.tolist()
     if "vertices" not in given:
         return Result(triangles, attributes=attributes)
     own = as_input(given)
