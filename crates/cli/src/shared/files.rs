@@ -144,6 +144,10 @@ pub(crate) struct ReadingArgs {
     #[arg(long, value_name = "NAME")]
     height_property: Option<String>,
 
+    /// A number that means that there is none, in heights and other columns of vertices: -9999, for example
+    #[arg(long, value_name = "NUMBER", allow_negative_numbers = true)]
+    no_value: Option<f64>,
+
     /// Refuse files that say more than is read, and outputs that have no room for all that is
     #[arg(long)]
     strict: bool,
@@ -167,6 +171,7 @@ impl ReadingArgs {
             identities: Vec::new(),
             unpacked_limit: self.unpacked_limit,
             height_property: self.height_property.clone(),
+            no_value: self.no_value,
             has_faces: self.faces,
             is_strict: self.strict,
         }
@@ -179,6 +184,7 @@ pub(crate) struct FilesRead {
     identities: Vec<Identity>,
     unpacked_limit: Option<ByteSize>,
     height_property: Option<String>,
+    no_value: Option<f64>,
     has_faces: bool,
     is_strict: bool,
 }
@@ -217,7 +223,6 @@ impl FilesRead {
         name: &str,
         mut file: GraphFile<S>,
     ) -> Result<GraphFile<S>, Failure> {
-        let faces = file.faces.len();
         if self.has_faces {
             file = file.with_faces().map_err(|corner| {
                 Failure::Error(format!(
@@ -225,45 +230,48 @@ impl FilesRead {
                 ))
             })?;
         }
-        let remarks = std::mem::take(&mut file.remarks);
-        let (losses, others): (Vec<_>, Vec<_>) =
-            remarks.iter().partition(|remark| remark.is_loss());
-        let (mut ignored, mut said) = (Vec::new(), Vec::new());
-        for loss in losses {
-            match loss {
-                Remark::Ignored { count, what } => ignored.push(format!("{count} {what}")),
-                other => said.push(file.in_words(other)),
-            }
+        file = file.without_faces();
+        if let Some(value) = self.no_value {
+            file = file.without_value(value);
         }
-        if faces > 0 && !self.has_faces {
-            let plural = if faces == 1 { "" } else { "s" };
-            ignored.push(format!(
-                "{faces} face{plural} (--faces takes them for polygons)"
-            ));
-        }
-        if !ignored.is_empty() {
-            said.push(format!("ignored: {}", ignored.join(", ")));
-        }
-        for remark in others {
-            note(format_args!("{name}: {remark}"));
-        }
-        self.say(name, &said)?;
+        self.say_of(name, &file)?;
+        file.remarks.clear();
         Ok(file)
     }
 
-    /// Says what gets lost of a file or on the way to one, or refuses it.
-    pub(crate) fn say(&self, name: &str, losses: &[String]) -> Result<(), Failure> {
-        match losses.first() {
-            Some(loss) if self.is_strict => Err(Failure::Error(format!(
-                "{name}: {loss}; --strict refuses that"
-            ))),
-            _ => {
-                losses
-                    .iter()
-                    .for_each(|loss| note(format_args!("{name}: {loss}")));
-                Ok(())
+    /// Says the remarks on a file; a strict run refuses one that something gets lost of.
+    pub(crate) fn say_of<S: Coordinate>(
+        &self,
+        name: &str,
+        file: &GraphFile<S>,
+    ) -> Result<(), Failure> {
+        self.say_in_words(name, &file.remarks, |remark| file.in_words(remark))
+    }
+
+    /// Says remarks that need no file.
+    pub(crate) fn say(&self, name: &str, remarks: &[Remark]) -> Result<(), Failure> {
+        self.say_in_words(name, remarks, Remark::to_string)
+    }
+
+    fn say_in_words(
+        &self,
+        name: &str,
+        remarks: &[Remark],
+        words: impl Fn(&Remark) -> String,
+    ) -> Result<(), Failure> {
+        for remark in remarks {
+            let words = words(remark);
+            if self.is_strict && remark.is_loss() {
+                return Err(Failure::Error(format!(
+                    "{name}: {words}; --strict refuses that"
+                )));
             }
+            let setting = remark.setting();
+            let way_out = setting.map(|(option, does)| format!(" (--{option} {does})"));
+            let way_out = way_out.unwrap_or_default();
+            note(format_args!("{name}: {words}{way_out}"));
         }
+        Ok(())
     }
 
     /// Notes a file that is read in pieces, if it is there.
