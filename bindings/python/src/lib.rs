@@ -47,7 +47,7 @@ mod _native {
     #[pymodule_export]
     use crate::picture::picture;
     #[pymodule_export]
-    use crate::remarks::ignored;
+    use crate::remarks::{ignored, without_heights};
     #[pymodule_export]
     use crate::rule::inside;
     #[pymodule_export]

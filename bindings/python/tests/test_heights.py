@@ -158,7 +158,6 @@ def judged_values(points, values, shares, convert):
         assert abs(Fraction(value) - height) <= Fraction(max(used) - min(used)) / 10**11 + abs(height) / 2**52
 
 
-@pytest.mark.filterwarnings("ignore::sweep_cdt.RemarkWarning")
 @pytest.mark.parametrize("convert", [float, Fraction])
 @pytest.mark.parametrize("coordinate", [NEAR, SMALL, st.floats(-1e3, 1e3)])
 @given(data=st.data())

@@ -73,6 +73,49 @@ def test_measures_are_ignored_with_a_remark():
     assert np.array_equal(result.heights, [2, np.nan, np.nan], equal_nan=True)
 
 
+SQUARE = [[0, 0], [4, 0], [4, 4], [0, 4]]
+
+
+@pytest.mark.parametrize(
+    ("given", "options", "kind", "words", "numbers"),
+    [
+        ([], {}, "no-triangles", "no triangles: there are no points", {}),
+        ([[1, 1]] * 3, {}, "no-triangles", "no triangles: all points are one", {}),
+        ([[0, 0], [1, 1], [2, 2]], {}, "no-triangles", "no triangles: all points lie on one line", {}),
+        (
+            SQUARE,
+            {"edges": [[0, 2]] * 2, "inside": "even-odd"},
+            "nothing-inside",
+            "2 edges enclose nothing",
+            {"edges": 2},
+        ),
+        (SQUARE, {"holes": [[2, 1]]}, "nothing-inside", "argument inside: hull-without-holes keeps all", {"edges": 0}),
+        (
+            [],
+            {"polygons": [[SQUARE], [SQUARE]]},
+            "covered-twice",
+            "2 triangles are covered more than once",
+            {"triangles": 2},
+        ),
+        (SQUARE, {"polygons": [[[0, 1, 2, 3, 0, 1, 2, 3]]]}, "traced-twice", "4 edges are traced twice", {"edges": 4}),
+    ],
+)
+def test_what_the_engine_says_of_results(given, options, kind, words, numbers):
+    with pytest.warns(sweep_cdt.RemarkWarning, match=words):
+        result = sweep_cdt.triangulate(given, **options)
+    (remark,) = (remark for remark in result.remarks if remark.kind == kind)
+    assert words in str(remark) and remark.numbers == numbers and not remark.is_loss
+    assert sweep_cdt.triangulate(given, **options, strict=True).remarks == result.remarks
+
+
+def test_heights_that_are_missing_where_they_are_passed_on():
+    shapely = pytest.importorskip("shapely")
+    result = sweep_cdt.triangulate([shapely.Polygon([(0, 0, 1), (4, 0, 2), (0, 4, 3)]), shapely.Point(1, 1)])
+    assert result.remarks == ()
+    with pytest.warns(sweep_cdt.RemarkWarning, match="1 of 4 vertices have no height"):
+        result.to_shapely()
+
+
 HEIGHTS = st.lists(st.integers(0, 2), min_size=6, max_size=6)
 
 
@@ -80,13 +123,11 @@ HEIGHTS = st.lists(st.integers(0, 2), min_size=6, max_size=6)
 def test_there_is_a_remark_where_equal_points_differ(points, heights):
     first = [points.index(p) for p in points]
     differ = [v for v, of in enumerate(first) if heights[v] != heights[of]]
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", sweep_cdt.RemarkWarning)
-        result = sweep_cdt.triangulate({"vertices": points, "vertex_attributes": heights})
+    result = sweep_cdt.triangulate({"vertices": points, "vertex_attributes": heights})
     assert result.heights.tolist() == [heights[of] for of in first]
-    assert len(result.remarks) == (1 if differ else 0)
-    if differ:
-        numbers = result.remarks[0].numbers
+    conflicts = [remark.numbers for remark in result.remarks if remark.kind == "conflict"]
+    assert len(conflicts) == (1 if differ else 0)
+    for numbers in conflicts:
         assert numbers["count"] == len({first[v] for v in differ}) and numbers["vertex"] in {first[v] for v in differ}
 
 

@@ -6,9 +6,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from . import _native
 from ._arrays import as_values
 from ._errors import Error, ShapeError
 from ._input import as_doubles
+from ._remarks import say
 
 if TYPE_CHECKING:
     from ._triangulation import Triangulation
@@ -71,6 +73,7 @@ def _places(self: Triangulation, z: Any) -> np.ndarray:
         heights = np.zeros(len(points))
     elif heights.ndim != 1:
         raise ShapeError(f"z has the shape {heights.shape}, not ({len(points)},)", shape=heights.shape)
+    say(_native.without_heights(heights))
     return np.column_stack([points, heights])
 
 

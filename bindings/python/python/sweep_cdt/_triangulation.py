@@ -272,7 +272,7 @@ class Triangulation:
 
     @functools.cached_property
     def remarks(self) -> tuple[Remark, ...]:
-        return (*self._input.remarks, *self._shared[1])
+        return (*self._input.remarks, *self._shared[1], *self._core.remarks())
 
     @property
     def crs(self) -> Any:
