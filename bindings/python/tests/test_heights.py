@@ -68,6 +68,19 @@ def test_a_coordinate_system_goes_to_the_triangles(kinds, crs):
         assert shapely.get_coordinates(triangle, include_z=True)[:3, 2].tolist() == result.heights[corners].tolist()
 
 
+def test_a_document_of_its_time_has_a_coordinate_system():
+    geopandas = pytest.importorskip("geopandas")
+    ring = [[0, 0, 1], [4, 0, 2], [0, 4, 3], [0, 0, 1]]
+    feature = {"type": "Feature", "properties": None, "geometry": {"type": "Polygon", "coordinates": [ring]}}
+    crs = {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::2056"}}
+    result = sweep_cdt.triangulate({"type": "FeatureCollection", "crs": crs, "features": [feature]})
+    assert result.heights.tolist() == [1, 2, 3] and result.to_geodataframe().crs.to_epsg() == 2056
+    place = geopandas.GeoSeries.from_wkt(["POINT (1 1)"], crs=2056)
+    assert result.interpolate(result.heights, place).tolist() == [1.75]
+    for none in (None, {"type": "link"}, {"type": "name", "properties": None}):
+        assert sweep_cdt.triangulate({**feature, "crs": none}).crs is None
+
+
 def test_two_coordinate_systems_are_refused():
     geopandas = pytest.importorskip("geopandas")
     import shapely
