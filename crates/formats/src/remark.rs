@@ -69,7 +69,7 @@ pub enum Remark {
         /// How many there are in the columns.
         count: usize,
     },
-    /// A header says that nothing follows, or nothing that can be told apart.
+    /// A header says other than what follows, or that nothing in what follows can be told apart.
     Promise {
         /// What it says.
         what: String,
@@ -180,6 +180,7 @@ impl Remark {
                 | Remark::Faces { .. }
                 | Remark::Conflict { .. }
                 | Remark::NotWritten { .. }
+                | Remark::Promise { .. }
         )
     }
 

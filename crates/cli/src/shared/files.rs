@@ -144,6 +144,10 @@ pub(crate) struct ReadingArgs {
     #[arg(long, value_name = "NAME")]
     height_property: Option<String>,
 
+    /// The columns of a .csv, .xyz or .txt that are x, y and perhaps z, by their names or their places from 1 on
+    #[arg(long, value_name = "X,Y[,Z]", value_delimiter = ',')]
+    columns: Vec<String>,
+
     /// A number that means that there is none, in heights and other columns of vertices: -9999, for example
     #[arg(long, value_name = "NUMBER", allow_negative_numbers = true)]
     no_value: Option<f64>,
@@ -171,8 +175,10 @@ impl ReadingArgs {
             identities: Vec::new(),
             unpacked_limit: self.unpacked_limit,
             height_property: self.height_property.clone(),
+            columns: self.columns.clone(),
             no_value: self.no_value,
             has_faces: self.faces,
+            has_settings: true,
             is_strict: self.strict,
         }
     }
@@ -184,12 +190,23 @@ pub(crate) struct FilesRead {
     identities: Vec<Identity>,
     unpacked_limit: Option<ByteSize>,
     height_property: Option<String>,
+    columns: Vec<String>,
     no_value: Option<f64>,
     has_faces: bool,
+    /// Whether the settings that remarks name can be given.
+    has_settings: bool,
     is_strict: bool,
 }
 
 impl FilesRead {
+    /// No files; those that will be read are read in pieces, and nothing can be chosen of them.
+    pub(crate) fn in_pieces(is_strict: bool) -> FilesRead {
+        FilesRead {
+            is_strict,
+            ..FilesRead::default()
+        }
+    }
+
     /// Reads all of a file to memory, and notes which one it is.
     pub(crate) fn load(&mut self, file: &FileArgument) -> Result<Source, ReadError> {
         let name = file.raw_name();
@@ -208,6 +225,8 @@ impl FilesRead {
                     Some(ByteSize(bytes)) => source.unpacked_limit(bytes),
                     None => source,
                 };
+                // They are those of the input, which comes first.
+                let source = source.columns(std::mem::take(&mut self.columns));
                 Ok(match &self.height_property {
                     Some(name) => source.height_property(name),
                     None => source,
@@ -259,17 +278,28 @@ impl FilesRead {
         remarks: &[Remark],
         words: impl Fn(&Remark) -> String,
     ) -> Result<(), Failure> {
+        let mut said: Vec<(&Remark, String)> = Vec::new();
         for remark in remarks {
-            let words = words(remark);
-            if self.is_strict && remark.is_loss() {
-                return Err(Failure::Error(format!(
-                    "{name}: {words}; --strict refuses that"
-                )));
-            }
-            let setting = remark.setting();
+            let setting = remark.setting().filter(|_| self.has_settings);
             let way_out = setting.map(|(option, does)| format!(" (--{option} {does})"));
             let way_out = way_out.unwrap_or_default();
-            note(format_args!("{name}: {words}{way_out}"));
+            let mut others = said.iter_mut();
+            let is_ignored = |other: &Remark| matches!(other, Remark::Ignored { .. });
+            // All that is ignored is one line.
+            match (remark, others.find(|(other, _)| is_ignored(other))) {
+                (Remark::Ignored { count, what }, Some((_, line))) => {
+                    line.push_str(&format!(", {count} {what}"));
+                }
+                _ => said.push((remark, words(remark) + &way_out)),
+            }
+        }
+        for (remark, line) in said {
+            if self.is_strict && remark.is_loss() {
+                return Err(Failure::Error(format!(
+                    "{name}: {line}; --strict refuses that"
+                )));
+            }
+            note(format_args!("{name}: {line}"));
         }
         Ok(())
     }
