@@ -12,6 +12,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as npst
+from test_properties import JUNK, ends_well
 
 import sweep_cdt
 
@@ -265,6 +266,13 @@ def test_wrong_documents(wrong):
     pytest.importorskip("shapely")
     with pytest.raises(sweep_cdt.KindError, match="GeoJSON"):
         sweep_cdt.triangulate(wrong)
+
+
+@given(JUNK)
+def test_every_document_ends_well(junk):
+    pytest.importorskip("shapely")
+    for kind, member in (("FeatureCollection", "features"), ("Feature", "geometry"), ("Polygon", "coordinates")):
+        ends_well(lambda: sweep_cdt.triangulate({"type": kind, member: junk}))
 
 
 def test_what_is_among_geometries():
