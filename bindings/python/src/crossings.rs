@@ -5,10 +5,13 @@ use num_rational::BigRational;
 use numpy::{IntoPyArray, PyArray1, PyArray2};
 use pyo3::exceptions::PyIndexError;
 use pyo3::prelude::*;
-use sweep_cdt::crossings::{Crossing, Exact, Split};
+use sweep_cdt::Pslg;
+use sweep_cdt::crossings::{Crossing, Exact};
+use sweep_cdt_formats::{Column, Coordinate, GraphFile};
 
 use crate::calls::call;
 use crate::input::{ExactPoints, Graph, Input, with_graph};
+use crate::remarks::Remarks;
 use crate::triangulation::table;
 
 /// All pairs of edges that cross.
@@ -116,24 +119,44 @@ type Pieces<'py> = (
     Bound<'py, PyArray1<usize>>,
     usize,
     f64,
+    Option<Bound<'py, PyArray1<f64>>>,
+    Remarks,
 );
 
-/// Splits edges where they cross: points, pieces, the edge of each piece, rounds and displacement.
+/// Splits edges where they cross: points, pieces, the edge of each piece, rounds, displacement, heights and remarks.
 #[pyfunction]
 pub(crate) fn split<'py>(py: Python<'py>, input: Input<'_>) -> PyResult<Pieces<'py>> {
+    let heights = input.heights()?;
     let graph = input.graph()?;
-    with_graph!(&graph, |graph| pieces(py, graph))
+    with_graph!(&graph, |graph| pieces(py, graph, heights))
 }
 
-fn pieces<'py, S: Kind>(py: Python<'py>, graph: &Graph<'_, S>) -> PyResult<Pieces<'py>> {
-    let split: Split<S> = call(py, graph.edges.len(), 1, |_| {
-        Ok(sweep_cdt::crossings::split(graph.points, graph.edges)?)
+fn pieces<'py, S: Kind + Coordinate>(
+    py: Python<'py>,
+    graph: &Graph<'_, S>,
+    heights: Option<&[f64]>,
+) -> PyResult<Pieces<'py>> {
+    let (mut file, splitting) = call(py, graph.edges.len(), 1, |_| {
+        let whole = Pslg {
+            points: graph.points.to_vec(),
+            edges: graph.edges.to_vec(),
+            ..Pslg::default()
+        };
+        let heights = heights.map(|heights| Column::heights(heights.to_vec()));
+        let file = GraphFile {
+            columns: heights.into_iter().collect(),
+            ..whole.into()
+        };
+        Ok(file.split_crossings()?)
     })?;
+    let heights = file.columns.pop().map(|column| column.values);
     Ok((
-        S::hand(py, split.points)?,
-        table(py, split.edges)?,
-        split.pieces_of.into_pyarray(py),
-        split.rounds,
-        split.displacement,
+        S::hand(py, file.graph.points)?,
+        table(py, file.graph.edges)?,
+        file.pieces_of.into_pyarray(py),
+        splitting.rounds,
+        splitting.displacement,
+        heights.map(|heights| heights.into_pyarray(py)),
+        Remarks(file.remarks),
     ))
 }

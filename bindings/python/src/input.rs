@@ -144,6 +144,8 @@ pub(crate) struct Input<'py> {
     regions: Points<'py>,
     /// The attribute of each region, if they have attributes.
     attributes: Vec<f64>,
+    /// The height of each point, NaN where it is missing.
+    heights: Option<PyReadonlyArray1<'py, f64>>,
 }
 
 /// A borrowed input.
@@ -189,6 +191,13 @@ pub(crate) fn rows<'a, T: Element, const N: usize>(
 }
 
 impl Input<'_> {
+    /// Borrows the heights.
+    pub(crate) fn heights(&self) -> PyResult<Option<&[f64]>> {
+        let heights = self.heights.as_ref();
+        let slice = heights.map(PyReadonlyArray1::as_slice).transpose();
+        slice.map_err(|_| refused("the heights are not contiguous".to_owned()))
+    }
+
     /// Borrows the arrays.
     pub(crate) fn graph(&self) -> PyResult<AnyGraph<'_>> {
         let views = (

@@ -8,12 +8,14 @@
 #![deny(unsafe_code)]
 
 mod calls;
+mod columns;
 mod crossings;
 mod errors;
 mod input;
 mod matching;
 mod measure;
 mod picture;
+mod remarks;
 mod rule;
 mod trace;
 mod triangulation;
@@ -33,6 +35,8 @@ mod _native {
     #[allow(non_upper_case_globals, reason = "Python's name")]
     const __version__: &str = env!("CARGO_PKG_VERSION");
     #[pymodule_export]
+    use crate::columns::gathered;
+    #[pymodule_export]
     use crate::crossings::{Crossings, crossings, split};
     #[pymodule_export]
     use crate::input::ExactPoints;
@@ -42,6 +46,8 @@ mod _native {
     use crate::measure::fronts;
     #[pymodule_export]
     use crate::picture::picture;
+    #[pymodule_export]
+    use crate::remarks::{ignored, without_heights};
     #[pymodule_export]
     use crate::rule::inside;
     #[pymodule_export]

@@ -7,12 +7,14 @@ use sweep_cdt::interior::Interior;
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::{Bands, Error, Location, Triangulation, Triangulator};
 use sweep_cdt_engine::{Inside as Rule, Settings};
+use sweep_cdt_formats::Remark;
 use sweep_cdt_terrain::Surface;
 
 use crate::calls::{Watch, call};
 use crate::errors::refused;
 use crate::input::{Input, Points, View, with_graph};
 use crate::measure;
+use crate::remarks::{Remarks, of_result};
 use crate::rule::{named, unknown};
 
 /// A triangulation, and which of its triangles are inside.
@@ -25,6 +27,8 @@ pub(crate) struct Core {
     /// Statistics as JSON, if they were asked for.
     #[pyo3(get)]
     stats: Option<String>,
+    /// What the engine says of the result.
+    remarks: Vec<Remark>,
 }
 
 /// What a rule says of each triangle.
@@ -75,6 +79,7 @@ pub(crate) fn triangulate(
         .map(|(front, heuristics, algorithm)| Settings::named(&algorithm, &front, &heuristics))
         .transpose()
         .map_err(unknown)?;
+    let heights = input.heights()?;
     let graph = input.graph()?;
     with_graph!(&graph, |graph| {
         let size = graph.points.len() + graph.edges.len();
@@ -86,14 +91,19 @@ pub(crate) fn triangulate(
                 }
                 None => (plain(graph.points, graph.edges, threads, watch)?, None),
             };
-            let inside = match rule {
+            let asked = graph.asked();
+            let interior = match rule {
                 Rule::HULL => None,
-                rule => Some(Inside::of(&rule.interior(&graph.asked(), &result)?)),
+                rule => Some(rule.interior(&asked, &result)?),
             };
+            let remarks = of_result(graph, heights, &result, interior.as_ref());
+            let inside = interior.as_ref().map(Inside::of);
+            drop(interior);
             Ok(Core {
                 result,
                 inside,
                 stats,
+                remarks,
             })
         })
     })
@@ -229,6 +239,11 @@ impl Core {
         inside
             .map_or_else(whole, |inside| inside.is_inside.clone())
             .into_pyarray(py)
+    }
+
+    /// What the engine says of the result.
+    fn remarks(&self) -> Remarks {
+        Remarks(self.remarks.clone())
     }
 
     /// How deep each triangle lies.

@@ -43,14 +43,14 @@ def test_points(points, kind, message, offenders):
 @pytest.mark.parametrize(
     ("edges", "kind", "message", "offenders"),
     [
-        ([[0, 2], [1, 3]], sweep_cdt.CrossingEdgesError, "edges 0 and 1 cross .split_crossings", {"edges": (0, 1)}),
+        ([[0, 2], [1, 3]], sweep_cdt.CrossingEdgesError, r"edges 0 and 1 cross, at \(0.5, 0.5\) \(split_crossings", {"edges": (0, 1), "place": (0.5, 0.5)}),
         ([[0, 1], [1, 4]], sweep_cdt.EdgeOutOfRangeError, "edge 1 ends at vertex 4", {"edge": 1, "vertex": 4}),
         ([[0, 1], [1, -1]], sweep_cdt.EdgeOutOfRangeError, "vertex -1", {"edge": 1, "vertex": -1}),
         (np.array([[0, 2**40]]), sweep_cdt.EdgeOutOfRangeError, "1099511627776", {"edge": 0}),
         ([[0, 1, 2]], sweep_cdt.ShapeError, r"\(1, 3\)", {"shape": (1, 3)}),
         ([[0.0, 1.0]], sweep_cdt.KindError, "float64", {}),
         ([0, 1], sweep_cdt.ShapeError, r"\(2,\)", {"shape": (2,)}),
-        ([[0, 1], [2]], sweep_cdt.ShapeError, "no array", {}),
+        ([[0, 1], [2]], sweep_cdt.ShapeError, r"edges\[1\] has 1 numbers, not 2", {"position": 1}),
         ("no", sweep_cdt.ShapeError, r"\(\)", {}),
     ],
 )

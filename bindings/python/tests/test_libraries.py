@@ -70,13 +70,14 @@ def test_triangle():
     assert sweep_cdt.verify(sweep_cdt.triangulate(given, inside="hull").to_triangle())
     assert sweep_cdt.verify(sweep_cdt.triangulate([], polygons=[[OUTLINE, HOLE]]).to_triangle())
     assert sweep_cdt.verify(back) and sweep_cdt.verify(given, back)
-    sides = lambda d: {
-        (frozenset(corners), corners[i], frozenset(d["triangles"][n].tolist()) if n >= 0 else None)
-        for corners, across in zip(d["triangles"].tolist(), d["neighbors"].tolist())
+    sides = lambda triangles, neighbors: {
+        (frozenset(corners), corners[i], frozenset(triangles[n].tolist()) if n >= 0 else None)
+        for corners, across in zip(triangles.tolist(), neighbors.tolist())
         for i, n in enumerate(across)
     }
     # Without ties the triangles are the same.
-    assert sides(sweep_cdt.triangulate(POINTS).to_triangle()) == sides(triangle.triangulate({"vertices": POINTS}, "n"))
+    theirs, ours = triangle.triangulate({"vertices": POINTS}, "n"), sweep_cdt.triangulate(POINTS)
+    assert sides(ours.simplices, ours.neighbors) == sides(theirs["triangles"], theirs["neighbors"])
 
 
 def test_shapely():
@@ -158,6 +159,116 @@ def test_pyvista():
         sweep_cdt.verify(pyvista.Plane(i_resolution=1, j_resolution=1))
     grid = sweep_cdt.triangulate(POINTS).to_pyvista().cast_to_unstructured_grid()
     assert sweep_cdt.verify(grid)
+
+
+def roof(shapely):
+    """A polygon with heights and a hole, and a triangulation of it."""
+    with_heights = lambda ring: [(x, y, 10.0 + x + 2 * y) for x, y in ring]
+    polygon = shapely.Polygon(with_heights(OUTLINE), [with_heights(HOLE)])
+    return polygon, sweep_cdt.triangulate(polygon)
+
+
+@pytest.mark.parametrize("options", ["", "p", "pc", "pr", "pq", "prq", "pra0.5", "prA"])
+def test_triangle_takes_what_is_made_for_it(options):
+    triangle = pytest.importorskip("triangle")
+    shapely = pytest.importorskip("shapely")
+    _, result = roof(shapely)
+    for ours in (result, sweep_cdt.triangulate(POINTS, [[0, 1]]), sweep_cdt.triangulate(OUTLINE, [[0, 3]])):
+        theirs = triangle.triangulate(ours.to_triangle(), options)
+        if options.startswith("pr") and options[-1] not in "q5":
+            # Nothing is to be refined.
+            sets = [{frozenset(t) for t in triangles.tolist()} for triangles in (theirs["triangles"], ours.triangles)]
+            assert sets[0] == sets[1]
+        if "p" in options:
+            area = sweep_cdt.triangulate(theirs["vertices"], polygons=[[t] for t in theirs["triangles"]]).area
+            assert abs(area - ours.area) < 1e-9
+        if ours.heights is not None:
+            x, y = theirs["vertices"].T
+            assert np.allclose(theirs["vertex_attributes"][:, 0], 10 + x + 2 * y)
+
+
+def test_geopandas_takes_what_is_made_for_it():
+    geopandas = pytest.importorskip("geopandas")
+    import shapely
+
+    polygon, _ = roof(shapely)
+    land = geopandas.GeoDataFrame({"name": ["roof"]}, geometry=[polygon], crs=2056)
+    triangles = sweep_cdt.triangulate(land).to_geodataframe()
+    assert triangles.to_crs(4326).crs.to_epsg() == 4326 and triangles.geometry.union_all().area == polygon.area
+    assert set(triangles.sjoin(land, predicate="within").name) == {"roof"}
+    assert triangles.geometry.force_2d().has_z.sum() == 0 and triangles.has_z.all()
+    assert len(geopandas.GeoDataFrame.from_features(triangles.__geo_interface__)) == len(triangles)
+    assert len(sweep_cdt.triangulate(land, inside="negative").to_geodataframe()) == 0
+
+
+def test_rasterio_takes_what_is_made_for_it():
+    pytest.importorskip("rasterio")
+    rasterio = pytest.importorskip("rasterio.features")
+    shapely = pytest.importorskip("shapely")
+    polygon, result = roof(shapely)
+    parts = result.to_shapely().geoms
+    by_triangle = rasterio.rasterize(((part, n + 1) for n, part in enumerate(parts)), (9, 9))
+    whole = rasterio.rasterize([(polygon, 1)], (9, 9))
+    assert ((by_triangle > 0) == (whole > 0)).all() and by_triangle.max() <= len(result.triangles)
+
+
+def test_a_raster_of_rasterio_is_terrain():
+    rasterio = pytest.importorskip("rasterio")
+    heights = np.arange(20, dtype=np.float32).reshape(4, 5)
+    heights[1, 2] = -9999
+    form = {"driver": "GTiff", "width": 5, "height": 4, "count": 1, "dtype": "float32", "nodata": -9999}
+    with rasterio.MemoryFile() as file:
+        with file.open(transform=rasterio.transform.from_origin(0, 4, 1, 1), **form) as raster:
+            raster.write(heights, 1)
+        with file.open() as raster:
+            band = raster.read(1, masked=True)
+            x, y = raster.xy(*np.indices(band.shape).reshape(2, -1))
+    with pytest.raises(sweep_cdt.KindError, match=r"points\[1, 2\] is masked"):
+        sweep_cdt.triangulate(band)
+    points, is_known = np.column_stack([x, y]), ~np.ma.getmaskarray(band).ravel()
+    # The gap is closed by what is around it, or it stays.
+    assert sweep_cdt.triangulate(points[is_known]).interpolate(band.compressed(), [[2.5, 2.5]]).tolist() == [7]
+    found = sweep_cdt.triangulate(points).interpolate(band.ravel(), [[2.5, 2.5], [0.75, 3.25]])
+    assert np.isnan(found[0]) and found[1] == 1.5
+
+
+def test_meshio_and_pyvista_take_heights(tmp_path):
+    shapely = pytest.importorskip("shapely")
+    polygon, result = roof(shapely)
+    heights = result.heights
+    meshio, pyvista = pytest.importorskip("meshio"), pytest.importorskip("pyvista")
+    for mesh in (result.to_meshio(), result.to_pyvista()):
+        assert np.asarray(mesh.points)[:, 2].tolist() == heights.tolist()
+    result.to_meshio().write(tmp_path / "roof.vtu")
+    again = meshio.read(tmp_path / "roof.vtu")
+    assert again.points[:, 2].tolist() == heights.tolist() and sweep_cdt.verify(polygon, again)
+    mesh = result.to_pyvista()
+    assert mesh.bounds[4:] == (heights.min(), heights.max()) and mesh.triangulate().n_cells >= len(result.triangles)
+    assert mesh.elevation().n_points == len(heights)
+    assert isinstance(mesh.contour([15.0], scalars=mesh.points[:, 2]), pyvista.PolyData)
+    masked = np.ma.array(heights, mask=heights > 20)
+    assert np.isnan(result.to_meshio(masked).points[:, 2]).sum() == (heights > 20).sum()
+    for wrong in ([1, 2], np.zeros((len(heights), 2))):
+        with pytest.raises(sweep_cdt.ShapeError, match="z has the shape"):
+            result.to_meshio(wrong)
+
+
+def test_scipy_takes_the_arrays_of_a_result():
+    sparse, graphs = pytest.importorskip("scipy.sparse"), pytest.importorskip("scipy.sparse.csgraph")
+    interpolate, spatial = pytest.importorskip("scipy.interpolate"), pytest.importorskip("scipy.spatial")
+    shapely = pytest.importorskip("shapely")
+    _, result = roof(shapely)
+    place = [[2.0, 1.0], [7.5, 2.0]]
+    wanted = result.interpolate(result.heights, place)
+    for theirs in (interpolate.LinearNDInterpolator, interpolate.NearestNDInterpolator):
+        assert np.isfinite(theirs(result.points, result.heights)(place)).all()
+    assert np.allclose(interpolate.LinearNDInterpolator(result.points, result.heights)(place), wanted)
+    assert spatial.cKDTree(result.points).query(result.points)[1].tolist() == list(range(len(result.points)))
+    # The frontage of the hull is theirs, as positions.
+    assert set(spatial.ConvexHull(result.points).vertices) == set(result.convex_hull.ravel())
+    ends = np.concatenate([result.simplices[:, [i, (i + 1) % 3]] for i in range(3)])
+    graph = sparse.coo_array((np.ones(len(ends)), ends.T), shape=(len(result.points),) * 2)
+    assert graphs.connected_components(graph)[0] == 1
 
 
 def test_earcut():

@@ -147,6 +147,12 @@ def test_every_list_ends_well(points, edges):
     ends_well(lambda: sweep_cdt.verify(points, edges))
     ends_well(lambda: sweep_cdt.verify({"vertices": points, "triangles": edges, "segments": edges}))
     ends_well(lambda: sweep_cdt.verify([[0, 0]], {"triangles": [], "triangle_attributes": edges}))
+    ends_well(lambda: sweep_cdt.triangulate({"vertices": [[0, 0]], "vertex_attributes": points}))
+    triangle = sweep_cdt.triangulate([[0, 0], [1, 0], [0, 1]])
+    ends_well(lambda: triangle.interpolate(points, [[0.25, 0.25]]))
+    ends_well(lambda: triangle.interpolate([1, 2, 3], points))
+    ends_well(lambda: triangle.interpolate([1, 2, 3], (points, edges)))
+    ends_well(lambda: triangle.find_simplex(points))
 
 
 @given(inputs(SMALL), st.lists(st.tuples(*[st.integers(-1, 9)] * 3), max_size=8), st.sampled_from(["hull", "holes"]))
@@ -168,6 +174,8 @@ def test_every_soup_of_triangles_is_judged(question, triangles, domain):
 def test_every_query_ends_well(question, queries):
     result = sweep_cdt.triangulate(question[0])
     ends_well(lambda: result.find_simplex(queries))
+    ends_well(lambda: result.interpolate(queries, [[1.0, 1.0]]))
+    ends_well(lambda: result.interpolate(np.zeros(len(question[0])), queries))
     if queries.dtype.kind == "f" and queries.shape[-1:] == (2,):
         found = result.find_simplex(queries)
         for t, query in zip(found.ravel(), queries.reshape(-1, 2)):

@@ -41,6 +41,16 @@ def test_both_diagonals():
     assert "edge 0 is missing" in missing.advice and 'level="tiling"' in missing.advice
 
 
+def test_seeds_in_doubles_beside_a_result_in_fractions():
+    given = {"vertices": SQUARE, "segments": [[0, 1], [1, 2], [2, 3], [3, 0]], "holes": np.empty((0, 2))}
+    middle = [Fraction(2), Fraction(1)]
+    corners = [[Fraction(x) for x in p] for p in SQUARE.tolist()]
+    triangles = sweep_cdt.triangulate([*corners, middle]).simplices
+    result = {"vertices": [*corners, middle], "triangles": triangles}
+    assert sweep_cdt.verify(given, result, steiner=True, domain="holes")
+    assert not sweep_cdt.verify({**given, "holes": [[2.0, 2.0]]}, result, steiner=True)
+
+
 def test_clockwise_triangles_are_judged_as_they_are():
     report = sweep_cdt.verify(SQUARE, [t[::-1] for t in RIGHT])
     assert report and report.is_clockwise and "run clockwise" in report.advice

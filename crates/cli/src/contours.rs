@@ -9,7 +9,7 @@ use sweep_cdt_formats::{Coordinate, Format, GraphFile, Input, write_lines};
 use sweep_cdt_terrain::{Contour, LevelsError, Surface, levels};
 
 use crate::shared::failure::Failure;
-use crate::shared::files::{FileArgument, format_of_output, format_parser};
+use crate::shared::files::{FileArgument, FilesRead, format_of_output, format_parser};
 use crate::shared::outputs::{Destination, Outputs, refuse_read};
 use crate::shared::terrain::{TerrainArgs, Work};
 
@@ -83,18 +83,19 @@ impl Contours {
         let input = self.terrain.read(&mut files)?;
         refuse_read(&files, target.iter().map(|(_, output)| output))?;
         match input {
-            Input::Doubles(file) => self.write(&file, target),
-            Input::Rationals(file) => self.write(&file, target),
+            Input::Doubles(file) => self.write(&file, &files, target),
+            Input::Rationals(file) => self.write(&file, &files, target),
         }
     }
 
     fn write<S: Coordinate + Exact>(
         &self,
         file: &GraphFile<S>,
+        files: &FilesRead,
         target: Option<(Format, Destination)>,
     ) -> Result<(), Failure> {
         let name = self.terrain.name();
-        let (lines, summary) = self.terrain.surface(file, self)?;
+        let (lines, summary) = self.terrain.surface(file, files, self)?;
         let is_free = target
             .as_ref()
             .is_none_or(|(_, output)| !output.is_standard());

@@ -2,12 +2,14 @@
 
 use num_rational::BigRational;
 use sweep_cdt::crossings::Exact;
-use sweep_cdt_formats::{Column, Coordinate, Format, GraphFile, Input, not_written, write_graph};
+use sweep_cdt_formats::{
+    Column, Coordinate, Format, GraphFile, Input, Remark, not_written, write_graph,
+};
 use sweep_cdt_terrain::Surface;
 
 use crate::shared::arguments::InputArgs;
 use crate::shared::arithmetic::as_rationals;
-use crate::shared::failure::{Failure, note};
+use crate::shared::failure::Failure;
 use crate::shared::files::{FileArgument, FilesRead, format_of_output, format_parser};
 use crate::shared::outputs::{Destination, Outputs, refuse_read};
 use crate::shared::terrain::{TerrainArgs, Work};
@@ -75,55 +77,47 @@ impl Heights {
         let points_read = points.read(&mut files, |_| ())?;
         refuse_read(&files, [&destination])?;
         let name = points.name();
-        let (count, missing) = match (terrain, points_read) {
+        match (terrain, points_read) {
             (Input::Doubles(terrain), Input::Doubles(points)) => {
-                self.write(&terrain, points, format, destination, &files)?
+                self.write(&terrain, (&name, points), format, destination, &files)
             }
             (terrain, points) => {
                 let terrain = as_rationals(&self.terrain.name(), terrain)?;
                 let points = as_rationals(&name, points)?;
-                self.write::<BigRational>(&terrain, points, format, destination, &files)?
+                self.write::<BigRational>(&terrain, (&name, points), format, destination, &files)
             }
-        };
-        if missing > 0 {
-            note(format_args!(
-                "{missing} of {count} points of {name} have no height: they are on no triangle that has three"
-            ));
         }
-        Ok(())
     }
 
-    /// Writes the points with their heights; returns how many there are, and how many have none.
+    /// Writes the points of this name with their heights.
     fn write<S: Coordinate + Exact>(
         &self,
         terrain: &GraphFile<S>,
-        mut points: GraphFile<S>,
+        (name, mut points): (&str, GraphFile<S>),
         format: Format,
         destination: Destination,
         files: &FilesRead,
-    ) -> Result<(usize, usize), Failure> {
+    ) -> Result<(), Failure> {
         let places = &points.graph.points;
-        let heights = self.terrain.surface(terrain, At { places })?;
+        let heights = self.terrain.surface(terrain, files, At { places })?;
         let heights = Column::heights(
             heights
                 .into_iter()
                 .map(|height| height.unwrap_or(f64::NAN))
                 .collect(),
         );
-        let counts = (heights.values.len(), heights.missing());
+        let (places, missing) = (heights.values.len(), heights.missing());
         points.columns.retain(|column| column.name != heights.name);
         points.columns.insert(0, heights);
         if Format::OUTPUTS.contains(&format) {
-            let losses = not_written(format, &points, None);
-            if !losses.is_empty() {
-                let words = format!("not written: {}", losses.join(", "));
-                files.say(&destination.name.display().to_string(), &[words])?;
-            }
+            let lost = not_written(format, &points, None);
+            files.say(&destination.name.display().to_string(), lost.as_slice())?;
         }
         let mut outputs = Outputs::default();
         outputs.add(destination, |out| write_graph(format, &points, out))?;
         outputs.finish()?;
-        Ok(counts)
+        let off = (missing > 0).then_some(Remark::OffTerrain { missing, places });
+        files.say(name, off.as_slice())
     }
 }
 

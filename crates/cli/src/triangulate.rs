@@ -7,13 +7,13 @@ use sweep_cdt::Triangulation;
 use sweep_cdt::interior::Interior;
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::verify::{Level, Verifier};
-use sweep_cdt_engine::headline;
-use sweep_cdt_formats::{Coordinate, GraphFile, Splitting};
+use sweep_cdt_engine::{Remark, headline, remarks, without_heights};
+use sweep_cdt_formats::{Coordinate, Splitting};
 
 use crate::shared::arguments::{InputArgs, OutputArgs, Target, add, completed, has_standard};
 use crate::shared::arithmetic::{Given, Job, ScalarArgs};
 use crate::shared::earlier::Earlier;
-use crate::shared::failure::{Failure, note};
+use crate::shared::failure::Failure;
 use crate::shared::files::{FileArgument, FilesRead, ReadingArgs};
 use crate::shared::inside::InsideArgs;
 use crate::shared::missing::MissingArgs;
@@ -178,7 +178,7 @@ impl Triangulate {
         } else {
             (input, None)
         };
-        let input = self.missing.apply(&name, input)?;
+        let input = self.missing.apply(&name, input, &read)?;
         let run = Run {
             arguments: self,
             targets,
@@ -231,21 +231,21 @@ impl Job for Run<'_> {
         let domain = domain.as_ref();
         let summary = targets.is_empty();
         let asks_heights = targets.iter().any(Target::asks_heights);
-        let conflicts = file.remarks.iter().map(|remark| file.in_words(remark));
-        self.read.say(given.name, &conflicts.collect::<Vec<_>>())?;
-        let mut losses: Vec<(String, String)> = Vec::new();
+        self.read.say_of(given.name, file)?;
+        let mut losses: Vec<(String, Remark)> = Vec::new();
         for target in &targets {
-            let (name, list) = (target.name(), target.losses(file, domain));
-            let words = format!("not written: {}", list.join(", "));
-            match losses.last_mut() {
-                _ if list.is_empty() => {}
+            let (name, lost) = (target.name(), target.losses(file, domain));
+            match (losses.last_mut(), lost) {
+                (_, None) => {}
                 // A `.ele` and its `.node` lose one and the same.
-                Some((names, last)) if *last == words => names.push_str(&format!(", {name}")),
-                _ => losses.push((name, words)),
+                (Some((names, last)), Some(lost)) if *last == lost => {
+                    names.push_str(&format!(", {name}"));
+                }
+                (_, Some(lost)) => losses.push((name, lost)),
             }
         }
-        for (names, words) in losses {
-            self.read.say(&names, &[words])?;
+        for (names, lost) in losses {
+            self.read.say(&names, &[lost])?;
         }
         // Standard output holds either a result or a report.
         let report =
@@ -282,86 +282,11 @@ impl Job for Run<'_> {
             })?;
         }
         outputs.finish()?;
-        let missing = asks_heights.then(|| without_heights(file)).flatten();
-        let twice = covered_twice(domain);
-        for words in why_nothing(file, &result, domain)
-            .iter()
-            .chain(&missing)
-            .chain(&twice)
-        {
-            note(format_args!("{words}"));
-        }
+        let mut found = remarks(file, &result, domain);
+        found.extend(asks_heights.then(|| without_heights(file)).flatten());
+        self.read.say(given.name, &found)?;
         Ok(())
     }
-}
-
-/// How many triangles are covered by more than one polygon, if any are: each names one feature alone.
-fn covered_twice(domain: Option<&Interior<'_>>) -> Option<String> {
-    let domain = domain.filter(|domain| domain.is_of_polygons())?;
-    let twice = domain.inside().filter(|&t| domain.depth(t) > 1).count();
-    (twice > 0).then(|| {
-        format!(
-            "polygons overlap: {twice} triangles are covered more than once, and have the first feature that does"
-        )
-    })
-}
-
-/// How many vertices have no height, if others have.
-fn without_heights<S>(file: &GraphFile<S>) -> Option<String> {
-    let missing = file.heights()?.missing();
-    let points = file.graph.points.len();
-    (missing > 0)
-        .then(|| {
-            format!(
-                "{missing} of {points} vertices have no height: z is `NaN` there, or left out in .geojson, which some \
-                 programs read as 0"
-            )
-        })
-}
-
-/// Why there are no triangles, or none inside, if there are none.
-fn why_nothing<S: Coordinate>(
-    file: &GraphFile<S>,
-    result: &Triangulation,
-    domain: Option<&Interior<'_>>,
-) -> Option<String> {
-    let graph = &file.graph;
-    if !result.is_empty() {
-        let is_empty = domain.is_some_and(|domain| domain.inside().len() == 0);
-        let message = match graph.edges.len() {
-            0 => "no triangles are inside: there are no edges".to_owned(),
-            edges if !graph.holes.is_empty() => format!(
-                "no triangles are inside: {edges} edges keep the outside out nowhere \
-                 (--inside hull-without-holes keeps all but the holes)"
-            ),
-            edges => format!(
-                "no triangles are inside: {edges} edges enclose nothing by the rule of --inside"
-            ),
-        };
-        return is_empty.then_some(message);
-    }
-    let Some(first) = graph.points.first() else {
-        return Some("no triangles: there are no points".to_owned());
-    };
-    let is_same = |axis: usize| {
-        let mut points = graph.points.iter();
-        points.all(|point| point[axis].compare(&first[axis]).is_eq())
-    };
-    if is_same(0) && is_same(1) {
-        return Some("no triangles: all points are one".to_owned());
-    }
-    let has_heights = file.heights().is_some_and(|column| {
-        column
-            .values
-            .iter()
-            .any(|height| !height.total_cmp(&column.values[0]).is_eq())
-    });
-    let advice = match (is_same(0), is_same(1), has_heights) {
-        (_, true, true) => " (y is the same everywhere and z is not: perhaps y is up in this file)",
-        (true, _, true) => " (x is the same everywhere and z is not: perhaps x is up in this file)",
-        _ => "",
-    };
-    Some(format!("no triangles: all points lie on one line{advice}"))
 }
 
 fn summarize<S, T>(

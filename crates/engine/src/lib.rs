@@ -1,7 +1,7 @@
 //! What the front ends of [`sweep_cdt`] share: the command, the package for Python, and the page that computes.
 //!
 //! A front end reads an input, asks here, and prints. So a rule has one name everywhere, and all front ends give the same
-//! verdict and the same advice on the same triangles.
+//! verdict and the same advice on the same triangles, and says the same about them ([`remarks()`], [`Remark`]).
 //!
 //! [`Inside`] is a rule by its name, and finds the interior of an [`Input`]. [`Question`] verifies triangles within a
 //! domain, and says what to do where they are wrong ([`Advice`]). [`Settings`] are the algorithm, the front and the
@@ -10,6 +10,7 @@
 mod advice;
 mod inside;
 mod question;
+mod remarks;
 mod sentence;
 mod settings;
 mod verdict;
@@ -18,10 +19,12 @@ mod wanted;
 pub use advice::{Advice, Fit, How, Setting, Several};
 pub use inside::{Input, Inside};
 pub use question::{Question, Triangulate, Verify};
+pub use remarks::{remarks, without_heights};
 pub use sentence::Words;
 pub use settings::{
     ALGORITHMS, Choice, FRONTS, FrontKind, HEURISTICS, Settings, UnknownName, chosen,
 };
+pub use sweep_cdt_formats::Remark;
 pub use verdict::{Answer, Verdict, counts, headline};
 
 /// The example of the README, as a test.

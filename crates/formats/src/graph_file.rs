@@ -124,7 +124,8 @@ impl Column {
     }
 
     /// The column of so many vertices, each with the first number that is given for it, and the first vertex with two.
-    pub(crate) fn gathered(
+    #[must_use]
+    pub fn gathered(
         &self,
         vertices: usize,
         values: impl Iterator<Item = (usize, f64)>,
@@ -307,6 +308,39 @@ impl<S> GraphFile<S> {
             self.edge_markers.resize(edges.len(), 0);
         }
         Ok(self)
+    }
+
+    /// The file without the faces of a mesh, and a remark on them.
+    #[must_use]
+    pub fn without_faces(mut self) -> GraphFile<S> {
+        let count = std::mem::take(&mut self.faces).len();
+        self.remarks
+            .extend((count > 0).then_some(Remark::Faces { count }));
+        self
+    }
+
+    /// The file where this number in a column of the vertices means that there is none, and a remark on how many do.
+    /// Markers keep theirs.
+    ///
+    /// ```
+    /// use sweep_cdt_formats::{Column, GraphFile};
+    ///
+    /// let columns = vec![Column::heights(vec![7.0, -9999.0])];
+    /// let file = GraphFile::<f64> { columns, ..GraphFile::default() }.without_value(-9999.0);
+    /// assert_eq!(file.heights().unwrap().missing(), 1);
+    /// assert_eq!(file.remarks[0].to_string(), "1 number is -9999 and counted as missing");
+    /// ```
+    #[must_use]
+    pub fn without_value(mut self, value: f64) -> GraphFile<S> {
+        let columns = self.columns.iter_mut();
+        let numbers = columns.filter(|column| column.name != Column::MARKER);
+        let numbers = numbers.flat_map(|column| &mut column.values);
+        let means_none = numbers.filter(|number| (**number - value).abs() == 0.0);
+        let count = means_none.map(|number| *number = f64::NAN).count();
+        let has_columns = !self.columns.is_empty();
+        self.remarks
+            .extend(has_columns.then_some(Remark::NoValue { value, count }));
+        self
     }
 
     /// An error with its vertices and edges numbered as in the file.

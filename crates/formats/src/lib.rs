@@ -48,7 +48,7 @@ pub use read::{
     Input, Listed, Matched, Matching, Nearest, Precision, ReadError, ReadErrorKind, ResultError,
     Source, Triangles, WayOut, added_points, quoted, read, read_result, reason,
 };
-pub use remark::Remark;
+pub use remark::{NoTriangles, Remark};
 pub use seeds::locate_seeds;
 pub use split::Splitting;
 pub use system::CoordinateSystem;

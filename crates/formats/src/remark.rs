@@ -1,8 +1,9 @@
-//! What a reader has to say about a file that it has read: what it left out, and what it had to decide.
+//! Remarks: what is ignored, merged, missing, chosen or guessed on the way from a file to a result. Readers, the engine
+//! and the terrain make them. Front ends print them, and add the name of the file.
 
 use std::fmt;
 
-/// Something about a file that its user should know.
+/// Something about a file or a result that its user should know.
 ///
 /// ```
 /// use sweep_cdt_formats::{Format, Input, Remark, Source, read};
@@ -13,6 +14,7 @@ use std::fmt;
 /// };
 /// assert_eq!(file.remarks, [Remark::ignored(1, "line of `vt`", "lines of `vt`")]);
 /// assert_eq!(file.remarks[0].to_string(), "ignored: 1 line of `vt`");
+/// assert_eq!((file.remarks[0].name(), file.remarks[0].is_loss()), ("ignored", true));
 /// # Ok::<(), sweep_cdt_formats::ReadError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
@@ -25,6 +27,11 @@ pub enum Remark {
         /// The name of so many.
         what: String,
     },
+    /// The faces of a mesh count for nothing: what is triangulated is the hull of the vertices.
+    Faces {
+        /// How many there are.
+        count: usize,
+    },
     /// One place has two numbers in a column.
     Conflict {
         /// The name of the column.
@@ -36,12 +43,102 @@ pub enum Remark {
         /// How many places have two numbers.
         count: usize,
     },
+    /// An output has no room for this.
+    NotWritten {
+        /// What it is.
+        what: Vec<String>,
+    },
     /// Heights stand in a property, or were asked for in one or in a column that is not there.
     HeightProperty {
         /// The name of the property or column.
         name: String,
         /// How many features have it: none if it is not there.
         count: usize,
+    },
+    /// A table names no columns, so that their order tells x, y and z.
+    Columns {
+        /// The columns of x, y and z, from 1; those of z where there is one.
+        places: Vec<usize>,
+        /// How many columns there are.
+        count: usize,
+    },
+    /// A number was asked to mean that there is none.
+    NoValue {
+        /// The number.
+        value: f64,
+        /// How many there are in the columns.
+        count: usize,
+    },
+    /// A header says other than what follows, or that nothing in what follows can be told apart.
+    Promise {
+        /// What it says.
+        what: String,
+    },
+    /// Sides that span more than half of all longitudes, in a map of longitudes and latitudes.
+    HalfOfTheGlobe {
+        /// How many there are.
+        edges: usize,
+    },
+    /// Sides of polygons that one polygon has twice, so that they bound nothing.
+    TracedTwice {
+        /// How many there are.
+        edges: usize,
+    },
+    /// Heights are made from those of the vertices around.
+    Interpolated {
+        /// How many are made.
+        heights: usize,
+        /// How many vertices lie outside of the hull of those with heights.
+        outside: usize,
+    },
+    /// Vertices have no height, and others have.
+    WithoutHeights {
+        /// How many have none.
+        missing: usize,
+        /// How many there are.
+        vertices: usize,
+    },
+    /// Triangles of a terrain are left out: they have a corner without a height.
+    OpenTriangles {
+        /// How many there are.
+        missing: usize,
+        /// How many triangles there are.
+        triangles: usize,
+    },
+    /// Places on no triangle of a terrain: they get no height.
+    OffTerrain {
+        /// How many there are.
+        missing: usize,
+        /// How many places there are.
+        places: usize,
+    },
+    /// Polygons overlap: each triangle names one feature alone.
+    CoveredTwice {
+        /// How many triangles more than one polygon covers.
+        triangles: usize,
+    },
+    /// There are no triangles.
+    NoTriangles(NoTriangles),
+    /// There are triangles, and none is inside.
+    NothingInside {
+        /// How many edges there are.
+        edges: usize,
+        /// Whether there are seeds of holes.
+        has_holes: bool,
+    },
+}
+
+/// Why there are no triangles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NoTriangles {
+    /// There are no points.
+    NoPoints,
+    /// All points are equal.
+    OnePlace,
+    /// All points lie on one line.
+    OneLine {
+        /// The coordinate that all share while the heights differ, 0 for x: it is up perhaps.
+        up: Option<usize>,
     },
 }
 
@@ -52,15 +149,64 @@ impl Remark {
         Remark::Ignored { count, what }
     }
 
-    /// Whether something of the file gets lost.
+    /// The name of the kind, which stays as it is.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Remark::Ignored { .. } => "ignored",
+            Remark::Faces { .. } => "faces",
+            Remark::Conflict { .. } => "conflict",
+            Remark::NotWritten { .. } => "not-written",
+            Remark::HeightProperty { .. } => "height-property",
+            Remark::Columns { .. } => "columns",
+            Remark::NoValue { .. } => "no-value",
+            Remark::Promise { .. } => "promise",
+            Remark::HalfOfTheGlobe { .. } => "half-of-the-globe",
+            Remark::TracedTwice { .. } => "traced-twice",
+            Remark::Interpolated { .. } => "interpolated",
+            Remark::WithoutHeights { .. } => "without-heights",
+            Remark::OpenTriangles { .. } => "open-triangles",
+            Remark::OffTerrain { .. } => "off-terrain",
+            Remark::CoveredTwice { .. } => "covered-twice",
+            Remark::NoTriangles(_) => "no-triangles",
+            Remark::NothingInside { .. } => "nothing-inside",
+        }
+    }
+
+    /// Whether something of the file gets lost. A strict run refuses that.
     pub fn is_loss(&self) -> bool {
-        !matches!(self, Remark::HeightProperty { .. })
+        matches!(
+            self,
+            Remark::Ignored { .. }
+                | Remark::Faces { .. }
+                | Remark::Conflict { .. }
+                | Remark::NotWritten { .. }
+                | Remark::Promise { .. }
+        )
+    }
+
+    /// The setting that changes it, and what it does, if there is one.
+    pub fn setting(&self) -> Option<(&'static str, &'static str)> {
+        match self {
+            Remark::Faces { .. } => Some(("faces", "takes them for polygons")),
+            Remark::Columns { .. } => Some(("columns", "names others")),
+            Remark::NothingInside {
+                has_holes: true, ..
+            } => Some(("inside", "hull-without-holes keeps all but the holes")),
+            _ => None,
+        }
     }
 
     /// The remark in words, with a name for the vertex in it.
     pub(crate) fn words(&self, name: impl Fn(usize) -> String) -> String {
+        let of = |count: usize, one: &str, many: &str| {
+            format!("{count} {}", if count == 1 { one } else { many })
+        };
         match self {
             Remark::Ignored { count, what } => format!("ignored: {count} {what}"),
+            Remark::Faces { count } => format!(
+                "ignored: {}; the hull of the vertices is triangulated",
+                of(*count, "face", "faces")
+            ),
             Remark::Conflict {
                 column,
                 vertex,
@@ -77,14 +223,81 @@ impl Remark {
                     "{name} has two numbers for {column}, {kept} and {other}: {kept} counts{more}"
                 )
             }
+            Remark::NotWritten { what } => format!("not written: {}", what.join(", ")),
             Remark::HeightProperty { name, count: 0 } => {
                 format!("no property or column with heights is called `{name}`")
             }
             Remark::HeightProperty { name, count } => {
-                let plural = if *count == 1 { "" } else { "s" };
-                format!("heights are the property `{name}` of {count} feature{plural}")
+                let features = of(*count, "feature", "features");
+                format!("heights are the property `{name}` of {features}")
             }
+            Remark::Columns { places, count } => {
+                let places = ["x", "y", "z"].iter().zip(places);
+                let places: Vec<String> = places
+                    .map(|(name, place)| format!("{name} is column {place}"))
+                    .collect();
+                format!("{} of {count}: none has a name", places.join(", "))
+            }
+            Remark::NoValue { value, count: 0 } => format!("no number is {value}"),
+            Remark::NoValue { value, count } => {
+                let numbers = of(*count, "number is", "numbers are");
+                format!("{numbers} {value} and counted as missing")
+            }
+            Remark::Promise { what } => format!("the header says {what}"),
+            Remark::HalfOfTheGlobe { edges } => format!(
+                "{} more than 180 degrees of longitude: what crosses the line of 180 degrees must be cut there, or have \
+                 longitudes beyond 180",
+                of(*edges, "edge spans", "edges span")
+            ),
+            Remark::TracedTwice { edges } => format!(
+                "{} traced twice by one polygon: what is covered twice counts as outside by the rules polygons and \
+                 even-odd, and as inside by nonzero",
+                of(*edges, "edge is", "edges are")
+            ),
+            Remark::Interpolated { heights, outside } => format!(
+                "{heights} heights are interpolated, {outside} vertices lie outside of the hull of those with heights"
+            ),
+            Remark::WithoutHeights { missing, vertices } => format!(
+                "{missing} of {vertices} vertices have no height: z is `NaN` there, or left out in .geojson, which some \
+                 programs read as 0"
+            ),
+            Remark::OpenTriangles { missing, triangles } => format!(
+                "{missing} of {triangles} triangles have a corner without a height, and are left out"
+            ),
+            Remark::OffTerrain { missing, places } => format!(
+                "{missing} of {places} points have no height: they are on no triangle that has three"
+            ),
+            Remark::CoveredTwice { triangles } => format!(
+                "polygons overlap: {triangles} triangles are covered more than once, and have the first feature that does"
+            ),
+            Remark::NoTriangles(why) => format!("no triangles: {why}"),
+            Remark::NothingInside { edges: 0, .. } => {
+                "no triangles are inside: there are no edges".to_owned()
+            }
+            Remark::NothingInside {
+                edges,
+                has_holes: true,
+            } => format!("no triangles are inside: {edges} edges keep the outside out nowhere"),
+            Remark::NothingInside { edges, .. } => format!(
+                "no triangles are inside: {edges} edges enclose nothing by the rule that was chosen"
+            ),
         }
+    }
+}
+
+impl fmt::Display for NoTriangles {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            NoTriangles::NoPoints => "there are no points",
+            NoTriangles::OnePlace => "all points are one",
+            NoTriangles::OneLine { up: None } => "all points lie on one line",
+            NoTriangles::OneLine { up: Some(0) } => {
+                "all points lie on one line (x is the same everywhere and z is not: perhaps x is up in this file)"
+            }
+            NoTriangles::OneLine { up: Some(_) } => {
+                "all points lie on one line (y is the same everywhere and z is not: perhaps y is up in this file)"
+            }
+        })
     }
 }
 

@@ -16,12 +16,14 @@ from ._errors import (
     NonFiniteError,
     OpenRingError,
     OutOfMemoryError,
+    RemarkError,
     SeedError,
     ShapeError,
     TooLargeError,
 )
 from ._measure import fronts, measure
 from ._native import __version__
+from ._remarks import Remark, RemarkWarning
 from ._report import Report
 from ._trace import Trace, trace
 from ._triangulation import Triangulation, triangulate, triangulate_inside
@@ -38,6 +40,9 @@ __all__ = [
     "NonFiniteError",
     "OpenRingError",
     "OutOfMemoryError",
+    "Remark",
+    "RemarkError",
+    "RemarkWarning",
     "Report",
     "SeedError",
     "ShapeError",

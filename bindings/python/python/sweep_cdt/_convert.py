@@ -6,15 +6,30 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._errors import Error
+from . import _native
+from ._arrays import as_values
+from ._errors import Error, ShapeError
 from ._input import as_doubles
+from ._remarks import say
 
 if TYPE_CHECKING:
     from ._triangulation import Triangulation
 
 
 def to_matplotlib(self: Triangulation) -> Any:
-    """The triangles inside as a `matplotlib.tri.Triangulation`: for `tripcolor`, `tricontour` and interpolators."""
+    """The triangles inside as a `matplotlib.tri.Triangulation`: for `tripcolor`, `tricontour` and interpolators.
+
+    Raises
+    ------
+    Error
+        If no triangles are inside.
+
+    Examples
+    --------
+    >>> import matplotlib, sweep_cdt
+    >>> sweep_cdt.triangulate([[0, 0], [4, 0], [0, 4]]).to_matplotlib().triangles.tolist()
+    [[2, 0, 1]]
+    """
     import matplotlib.tri
 
     if not len(self.triangles):
@@ -53,7 +68,12 @@ def plot(self: Triangulation, ax: Any = None, **kwargs: Any) -> Any:
 
 def _places(self: Triangulation, z: Any) -> np.ndarray:
     points = as_doubles(self._input.points)
-    heights = np.zeros(len(points)) if z is None else np.asarray(z, dtype=float)
+    heights = self.heights if z is None else as_values(z, len(points), "z")
+    if heights is None:
+        heights = np.zeros(len(points))
+    elif heights.ndim != 1:
+        raise ShapeError(f"z has the shape {heights.shape}, not ({len(points)},)", shape=heights.shape)
+    say(_native.without_heights(heights))
     return np.column_stack([points, heights])
 
 
@@ -63,7 +83,18 @@ def to_meshio(self: Triangulation, z: Any = None) -> Any:
     Parameters
     ----------
     z : array_like of shape (n,), optional
-        The height of each point; 0 by default.
+        The height of each point, in the units of the points. The default are `heights`; 0, if there are none.
+
+    Raises
+    ------
+    Error
+        `ShapeError` and `KindError`, if `z` has not a number for each point.
+
+    Examples
+    --------
+    >>> import meshio, sweep_cdt
+    >>> sweep_cdt.triangulate([[0, 0], [4, 0], [0, 4]]).to_meshio([1, 2, 3]).points.tolist()
+    [[0.0, 0.0, 1.0], [4.0, 0.0, 2.0], [0.0, 4.0, 3.0]]
     """
     import meshio
 
@@ -79,7 +110,18 @@ def to_pyvista(self: Triangulation, z: Any = None) -> Any:
     Parameters
     ----------
     z : array_like of shape (n,), optional
-        The height of each point; 0 by default.
+        As of `to_meshio`.
+
+    Raises
+    ------
+    Error
+        As of `to_meshio`.
+
+    Examples
+    --------
+    >>> import pyvista, sweep_cdt
+    >>> sweep_cdt.triangulate([[0, 0], [4, 0], [0, 4]]).to_pyvista([1, 2, 3]).bounds[4:]
+    (1.0, 3.0)
     """
     import pyvista
 
@@ -93,36 +135,85 @@ def to_pyvista(self: Triangulation, z: Any = None) -> Any:
 
 
 def to_shapely(self: Triangulation) -> Any:
-    """The triangles inside as a `shapely.GeometryCollection` of polygons, as `shapely.delaunay_triangles` has them."""
+    """The triangles inside as a `shapely.GeometryCollection` of polygons, as `shapely.delaunay_triangles` has them.
+
+    They have a z, if there are `heights`.
+
+    Examples
+    --------
+    >>> import shapely, sweep_cdt
+    >>> roof = shapely.Polygon([(0, 0, 1), (4, 0, 2), (0, 4, 3)])
+    >>> print(sweep_cdt.triangulate(roof).to_shapely())
+    GEOMETRYCOLLECTION Z (POLYGON Z ((0 4 3, 0 0 1, 4 0 2, 0 4 3)))
+    """
     import shapely
 
-    points = as_doubles(self._input.points)
-    closed = self.triangles[:, [0, 1, 2, 0]]
-    return shapely.GeometryCollection(list(shapely.polygons(points[closed])))
+    return shapely.GeometryCollection(list(_polygons(self)))
+
+
+def _polygons(self: Triangulation) -> np.ndarray:
+    """The triangles inside as polygons of shapely."""
+    import shapely
+
+    points = as_doubles(self._input.points) if self.heights is None else _places(self, None)
+    return shapely.polygons(points[self.triangles[:, [0, 1, 2, 0]]])
+
+
+def to_geodataframe(self: Triangulation) -> Any:
+    """The triangles inside as a `geopandas.GeoDataFrame`, with the `crs`, and with a z, if there are `heights`.
+
+    Returns
+    -------
+    geopandas.GeoDataFrame
+        A row for each of `triangles`. If there are regions, the column ``region`` has those of `Triangulation.region`:
+        of a GeoDataFrame the positions of its rows, so that ``frame.iloc[triangles.region]`` has their columns.
+
+    Examples
+    --------
+    >>> import geopandas, shapely, sweep_cdt
+    >>> boxes = [shapely.box(0, 0, 1, 1), shapely.box(1, 0, 2, 1)]
+    >>> land = geopandas.GeoDataFrame({"name": ["a", "b"]}, geometry=boxes, crs=2056)
+    >>> triangles = sweep_cdt.triangulate(land).to_geodataframe()
+    >>> sorted(land.name.iloc[triangles.region]), triangles.crs.to_epsg()
+    (['a', 'a', 'b', 'b'], 2056)
+    """
+    import geopandas
+
+    columns = {} if self.region is None else {"region": self.region[self.inside]}
+    return geopandas.GeoDataFrame(columns, geometry=_polygons(self), crs=self.crs)
 
 
 def to_triangle(self: Triangulation) -> dict[str, np.ndarray]:
-    """The dictionary that `triangle.triangulate` returns: of the triangles inside.
+    """The dictionary that `triangle.triangulate` returns and takes: of the triangles inside.
 
-    The dictionary has the vertices, triangles, neighbors and segments, and a point in each hole. The segments are the
-    constrained sides; where all of the hull is inside, those of the hull too, as of triangle's option ``c``.
+    The dictionary has the vertices, triangles and segments, a point in each hole, and `heights` as attributes of the
+    vertices; no neighbors, which `triangle` gives and does not take. The segments are the constrained sides; where all of
+    the hull is inside, those of the hull too, as of triangle's option ``c``. The arrays are copies, which may be written
+    to. Equal points stay, and may make `triangle` crash.
+
+    Returns
+    -------
+    dict of ndarray
+        ``vertices`` of shape (n, 2), ``triangles`` of shape (u, 3), ``segments`` of shape (s, 2), ``holes`` of shape
+        (h, 2) and ``vertex_attributes`` of shape (n, 1).
+
+    Examples
+    --------
+    >>> import sweep_cdt
+    >>> square = sweep_cdt.triangulate([[0, 0], [4, 0], [4, 4], [0, 4]])
+    >>> {name: array.shape for name, array in square.to_triangle().items()}
+    {'vertices': (4, 2), 'triangles': (2, 3), 'segments': (4, 2)}
     """
-    kept = np.flatnonzero(self.inside)
-    number = np.full(len(self.inside) + 1, -1, dtype=np.int32)
-    number[kept] = np.arange(len(kept))
     segments = self.constrained_sides
     if self.rule == "hull":
         segments = np.unique(np.sort(np.concatenate([segments, self.convex_hull]), axis=1), axis=0)
     points = as_doubles(self._input.points)
-    result = {
-        "vertices": points,
-        "triangles": self.triangles,
-        "neighbors": number[self.neighbors[kept]],
-        "segments": segments,
-    }
+    result = {"vertices": points, "triangles": self.triangles, "segments": segments}
     if len(seeds := _seeds_of_holes(self, points)):
         result["holes"] = seeds
-    return result
+    if self.heights is not None:
+        result["vertex_attributes"] = self.heights[:, None]
+    return {name: np.array(array, order="C") for name, array in result.items()}
 
 
 def _seeds_of_holes(self: Triangulation, points: np.ndarray) -> np.ndarray:

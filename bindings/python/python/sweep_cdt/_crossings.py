@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -11,6 +12,7 @@ import numpy as np
 from . import _native
 from ._graph import as_input
 from ._input import Input, as_fractions, called
+from ._remarks import Remark, say, told
 
 
 def crossings(points: Any, edges: Any = None) -> Crossings:
@@ -34,7 +36,13 @@ def crossings(points: Any, edges: Any = None) -> Crossings:
     >>> found.exact(0)
     (Fraction(3, 2), Fraction(1, 2))
     """
-    return Crossings(called(_native.crossings, as_input(points, edges)))
+    given = as_input(points, edges)
+    say(given.remarks)
+    return _found(given)
+
+
+def _found(given: Input) -> Crossings:
+    return Crossings(called(_native.crossings, given), given)
 
 
 class Crossings:
@@ -48,8 +56,13 @@ class Crossings:
         The double nearest to the place of each.
     """
 
-    def __init__(self, found: _native.Crossings) -> None:
+    def __init__(self, found: _native.Crossings, given: Input) -> None:
         self._found = found
+        self._input = given
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        # They depend on the input alone.
+        return _found, (self._input,)
 
     def __len__(self) -> int:
         return len(self._found)
@@ -71,7 +84,7 @@ class Crossings:
         return Fraction(*x), Fraction(*y)
 
 
-def split(points: Any, edges: Any = None) -> Split:
+def split(points: Any, edges: Any = None, *, strict: bool = False) -> Split:
     """Splits edges where they cross, so that they can be triangulated.
 
     Fractions are split exactly. With doubles each place is rounded to the nearest double, and edges that then cross are
@@ -79,12 +92,17 @@ def split(points: Any, edges: Any = None) -> Split:
 
     Parameters
     ----------
-    points, edges
+    points, edges, strict
         As of `triangulate`.
 
     Returns
     -------
     Split
+
+    Raises
+    ------
+    Error
+        As of `triangulate`; `TooLargeError`, if there are too many crossings, or too many rounds.
 
     Examples
     --------
@@ -95,7 +113,7 @@ def split(points: Any, edges: Any = None) -> Split:
     >>> pieces.pieces_of.tolist(), pieces.rounds, pieces.displacement
     ([0, 0, 1, 1], 1, 0.0)
     """
-    return split_input(as_input(points, edges))
+    return told(split_input(as_input(points, edges)), strict)
 
 
 def split_input(given: Input) -> Split:
@@ -118,10 +136,22 @@ class Split:
         How many rounds of splitting and rounding it took; none, if no edges cross.
     displacement : float
         How many units in the last place an edge moved at most.
+    heights : ndarray of float of shape (n + k,), or None
+        The heights of the points, as of `Triangulation.heights`.
+    remarks : tuple of Remark
+        What was ignored, or decided.
     """
 
     def __init__(
-        self, given: Input, points: Any, edges: np.ndarray, pieces_of: np.ndarray, rounds: int, displacement: float
+        self,
+        given: Input,
+        points: Any,
+        edges: np.ndarray,
+        pieces_of: np.ndarray,
+        rounds: int,
+        displacement: float,
+        heights: np.ndarray | None,
+        remarks: Sequence[Remark],
     ) -> None:
         self._given = given
         self._points = points
@@ -129,6 +159,8 @@ class Split:
         self.pieces_of = pieces_of.view(np.intp)
         self.rounds = rounds
         self.displacement = displacement
+        self.heights = heights
+        self.remarks = (*given.remarks, *remarks)
 
     def __repr__(self) -> str:
         return f"<Split of {self.count} edges into {len(self._edges)} pieces>"
@@ -163,13 +195,13 @@ class Split:
     def as_input(self) -> Input:
         """The input with the pieces for edges."""
         given = self._given
-        return Input(
-            self._points,
-            self._edges,
-            given.rings,
-            None if given.ring_of is None else given.ring_of[self.pieces_of],
-            given.holes,
-            given.regions,
-            given.attributes,
-            given.features,
+        ring_of = None if given.ring_of is None else given.ring_of[self.pieces_of]
+        # Features of edges are asked for in errors of the input alone.
+        return given.changed(
+            points=self._points,
+            edges=self._edges,
+            ring_of=ring_of,
+            heights=self.heights,
+            feature_of=None,
+            remarks=self.remarks,
         )

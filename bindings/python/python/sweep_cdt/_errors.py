@@ -6,7 +6,10 @@ positions in the arrays that were passed.
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from ._remarks import Remark
 
 
 class Error(ValueError):
@@ -38,10 +41,11 @@ class KindError(Error, TypeError):
 
 
 class NonFiniteError(Error):
-    """A coordinate is NaN or infinite: `vertex` and `axis`."""
+    """A coordinate is NaN or infinite: `vertex` and `axis`, and the `feature` where geometries were passed."""
 
     vertex: int
     axis: int
+    feature: int | None
 
 
 class EdgeOutOfRangeError(Error, IndexError):
@@ -52,15 +56,25 @@ class EdgeOutOfRangeError(Error, IndexError):
 
 
 class CrossingEdgesError(Error):
-    """Two edges cross at a point that is none of the points: `edges`, a pair. `split_crossings=True` splits them."""
+    """Two edges cross at a point that is none of the points: `edges`, a pair, and the `place`, rounded to doubles.
+
+    `features` are their geometries or polygons, where such were passed. `split_crossings=True` splits them.
+    """
 
     edges: tuple[int, int]
+    place: tuple[float, float]
+    features: tuple[int | None, int | None]
 
 
 class OpenRingError(Error):
-    """The edges are no closed rings, so that they bound nothing: they do not go on at `vertex`."""
+    """The edges are no closed rings, so that they bound nothing: they do not go on at `vertex`, which is at `place`.
+
+    `feature` is its geometry, where geometries were passed.
+    """
 
     vertex: int
+    place: tuple[float, float]
+    feature: int | None
 
 
 class SeedError(Error):
@@ -93,6 +107,12 @@ class OutOfMemoryError(Error, MemoryError):
     """There is less memory than the triangulation takes: some `bytes`."""
 
     bytes: int
+
+
+class RemarkError(Error):
+    """Something of the input would get lost, and ``strict=True`` refuses that: the `remarks` on it."""
+
+    remarks: tuple[Remark, ...]
 
 
 class InternalError(RuntimeError):

@@ -10,8 +10,10 @@ from typing import Any
 
 import numpy as np
 
+from ._arrays import as_array
 from ._errors import KindError, ShapeError
-from ._graph import as_geometries, as_input
+from ._geometries import Geometries, as_geometries, parts_of
+from ._graph import as_input, first_column
 from ._input import Input, as_edges, as_indices, as_points
 from ._triangulation import Triangulation
 
@@ -38,8 +40,8 @@ def as_result(given: Any) -> Result | None:
     if isinstance(given, Triangulation):
         triangles = as_indices(given.triangles, 3, "triangles")
         return Result(triangles, given._input.points, own=given._input, rule=given.rule)
-    if isinstance(given, dict):
-        return _of_dictionary(given) if "triangles" in given else None
+    if isinstance(given, dict) and "triangles" in given:
+        return _of_dictionary(given)
     if all(hasattr(given, name) for name in ("simplices", "points", "neighbors")):
         return _of_arrays(given.points, given.simplices)
     if hasattr(given, "get_masked_triangles"):
@@ -65,7 +67,7 @@ def _of_arrays(points: Any, triangles: Any, lines: Any = None) -> Result:
 
 def _flat(points: Any) -> np.ndarray:
     """Points of a mesh without their heights."""
-    points = np.asarray(points)
+    points = as_array(points, "points")
     if points.ndim != 2 or points.shape[1] not in (2, 3):
         raise ShapeError(f"the points of the mesh have the shape {points.shape}", shape=points.shape)
     return points[:, :2]
@@ -76,27 +78,17 @@ def _of_dictionary(given: dict[str, Any]) -> Result:
     triangles = as_indices(given["triangles"], 3, "triangles")
     attributes = None
     if (of_triangles := given.get("triangle_attributes")) is not None:
-        attributes = _attributes(of_triangles, len(triangles))
+        first = first_column(of_triangles, len(triangles), "triangle_attributes")
+        attributes = [] if first is None else first.tolist()
     if "vertices" not in given:
         return Result(triangles, attributes=attributes)
     own = as_input(given)
     return Result(triangles, own.points, own=own, rule="holes" if len(own.edges) else "hull", attributes=attributes)
 
 
-def _attributes(given: Any, count: int) -> list[float]:
-    """The first attribute of each triangle."""
-    try:
-        rows = np.asarray(given, dtype=float)
-    except (ValueError, TypeError):
-        raise KindError("triangle_attributes is no array of numbers") from None
-    if rows.ndim not in (1, 2) or len(rows) != count or rows.size < count:
-        raise ShapeError(f"triangle_attributes has the shape {rows.shape}, not ({count}, 1)", shape=rows.shape)
-    return rows.reshape(count, -1)[:, 0].tolist() if count else []
-
-
 def _cells(cells: Any, size: int, name: str) -> np.ndarray | None:
     """Cells of VTK: their size before each, one after the other."""
-    flat = np.asarray(cells)
+    flat = as_array(cells, name)
     if size == 2:
         # Lines may be longer: their steps count.
         steps, at = [], 0
@@ -110,11 +102,11 @@ def _cells(cells: Any, size: int, name: str) -> np.ndarray | None:
     return flat.reshape(-1, size + 1)[:, 1:]
 
 
-def _of_geometries(geometries: np.ndarray) -> Result:
+def _of_geometries(geometries: Geometries) -> Result:
     """Triangles as polygons of shapely."""
     import shapely
 
-    parts = shapely.get_parts(geometries[[g is not None for g in geometries]])
+    parts, _ = parts_of(geometries)
     kinds = {g.geom_type for g in parts}
     if kinds - {"Polygon"}:
         raise KindError(f"the result has geometries that are no polygons: {', '.join(sorted(kinds - {'Polygon'}))}")

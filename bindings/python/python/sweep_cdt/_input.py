@@ -7,6 +7,7 @@ are those of files, in Rust: beyond them a number could take all time and memory
 
 from __future__ import annotations
 
+import copy
 import decimal
 import fractions
 import numbers
@@ -17,61 +18,44 @@ from typing import Any, TypeVar
 import numpy as np
 
 from . import _native
-from ._errors import EdgeOutOfRangeError, Error, KindError, NonFiniteError, ShapeError
+from ._arrays import as_array, fits, listed
+from ._errors import (
+    CrossingEdgesError,
+    EdgeOutOfRangeError,
+    Error,
+    KindError,
+    NonFiniteError,
+    OpenRingError,
+    ShapeError,
+)
+from ._remarks import Remark
 
 T = TypeVar("T")
-
-# Whole numbers up to this size are doubles.
-WHOLE = 2**53
 
 NO_EDGES = np.empty((0, 2), dtype=np.uintp)
 
 
-def as_points(given: Any, name: str = "points") -> Any:
-    """Points as an array of doubles of shape (n, 2), or as exact points.
+def as_points(given: Any, name: str = "points", missing: bool = False) -> Any:
+    """Points as an array of doubles of shape (n, 2), or as exact points; missing ones are NaN where `missing` allows it.
 
     An array of the doubles of this machine, aligned and row by row in memory, is not copied.
     """
     if isinstance(given, _native.ExactPoints):
         return given
-    if isinstance(given, np.ndarray):
-        return _of_array(given, name)
-    if hasattr(given, "__array__"):
-        return _of_array(np.asarray(given), name)
-    if isinstance(given, (str, bytes)) or not isinstance(given, Iterable):
+    given = listed(given)
+    if isinstance(given, (str, bytes)) or not (isinstance(given, Iterable) or hasattr(given, "__array__")):
         raise KindError(f"{name} is no array but {_kind(given)}")
-    rows = given if isinstance(given, Sequence) else list(given)
-    try:
-        array = np.asarray(rows)
-    except ValueError:
-        raise _ragged(rows, name) from None
-    except (TypeError, OverflowError) as error:
-        raise KindError(f"{name} is no array of numbers: {error}") from None
+    array = as_array(given, name, missing)
     if array.size == 0 and array.ndim == 1:
         return np.empty((0, 2))
-    if array.dtype.kind == "f":
-        # NumPy rounds whole numbers beside doubles.
-        objects = np.asarray(rows, dtype=object)
-        if any(isinstance(x, numbers.Integral) and abs(int(x)) > WHOLE for x in objects.flat):
-            return _exact(objects, name)
-    return _of_array(array, name)
-
-
-def _of_array(array: np.ndarray, name: str) -> Any:
     if array.ndim != 2 or array.shape[1] != 2:
-        if array.ndim == 2 and array.shape[1] == 3:
-            hint = f": of heights in a third column, pass {name}[:, :2]"
-        else:
-            hint = ""
+        has_heights = array.ndim == 2 and array.shape[1] == 3
+        hint = f": of heights in a third column, pass {name}[:, :2]" if has_heights else ""
         raise ShapeError(f"{name} has the shape {array.shape}, not (n, 2){hint}", shape=array.shape)
     kind = array.dtype.kind
-    if kind == "f" and array.dtype.itemsize <= 8:
+    if kind in "iuf" and array.dtype.itemsize <= 8 and fits(array):
         return _rows(array, np.float64)
-    if kind in "iu":
-        if array.dtype.itemsize < 8 or array.size == 0 or _fits(array):
-            return _rows(array, np.float64)
-        return _exact(array, name)
-    if kind in "fO":
+    if kind in "iufO":
         return _exact(array, name)
     raise KindError(f"{name} has the type {array.dtype}, which is no type of coordinates")
 
@@ -81,14 +65,8 @@ def _rows(array: np.ndarray, dtype: Any) -> np.ndarray:
     return np.require(np.asarray(array), dtype, ["C", "A"])
 
 
-def _fits(array: np.ndarray) -> bool:
-    return int(array.max()) <= WHOLE and int(array.min()) >= -WHOLE
-
-
 def _exact(array: np.ndarray, name: str) -> Any:
-    """Exact points from whole numbers, fractions, decimals and doubles."""
-    if array.ndim != 2 or array.shape[1] != 2:
-        raise ShapeError(f"{name} has the shape {array.shape}, not (n, 2)", shape=array.shape)
+    """Exact points from whole numbers, fractions, decimals and doubles, in an array of shape (n, 2)."""
     found = []
     for at, value in enumerate(array.flat):
         try:
@@ -126,23 +104,11 @@ def _kind(value: Any) -> str:
     return f"of the type {type(value).__name__}"
 
 
-def _ragged(rows: Sequence[Any], name: str) -> ShapeError:
-    for position, row in enumerate(rows):
-        length = len(row) if hasattr(row, "__len__") else None
-        if length != 2:
-            what = "is no pair" if length is None else f"has {length} numbers, not 2"
-            return ShapeError(f"{name}[{position}] {what}", position=position)
-    return ShapeError(f"{name} is no list of pairs")
-
-
 def as_indices(given: Any, columns: int, name: str) -> np.ndarray:
     """Positions as an array of whole numbers of shape (m, columns); of a flat one the rows follow each other."""
     if given is None:
         return np.empty((0, columns), dtype=np.uintp)
-    try:
-        array = np.asarray(given)
-    except (ValueError, TypeError, OverflowError):
-        raise ShapeError(f"{name} is no array of shape (m, {columns})") from None
+    array = as_array(listed(given), name, columns=columns)
     if array.size == 0:
         return np.empty((0, columns), dtype=np.uintp)
     if columns == 3 and array.ndim == 1 and array.size % 3 == 0:
@@ -209,6 +175,10 @@ class Input:
         regions: Any = None,
         attributes: Sequence[float] = (),
         features: Sequence[int] | None = None,
+        heights: np.ndarray | None = None,
+        crs: Any = None,
+        feature_of: tuple[np.ndarray, np.ndarray] | None = None,
+        remarks: Sequence[Remark] = (),
     ) -> None:
         self.points = points
         self.edges = edges
@@ -222,7 +192,38 @@ class Input:
         self.attributes = list(attributes)
         # The feature of each polygon, if a feature may have several.
         self.features = features
+        # The height of each point, if any has one; and the coordinate system.
+        self.heights = heights
+        self.crs = crs
+        # The feature of each point and of each edge, if the input is of geometries.
+        self.feature_of = feature_of
+        # What was ignored or decided when the input was read.
+        self.remarks = tuple(remarks)
         self._alike()
+
+    def changed(self, **attributes: Any) -> Input:
+        """The input with other points, edges and so on."""
+        other = copy.copy(self)
+        other.__dict__.update(attributes)
+        other._alike()
+        return other
+
+    def feature_of_edge(self, edge: int) -> int | None:
+        """The feature or polygon of an edge."""
+        if self.feature_of is not None:
+            return int(self.feature_of[1][edge])
+        ring = -1 if self.ring_of is None else int(self.ring_of[edge])
+        if ring < 0:
+            return None
+        polygon = self.rings[ring][0]
+        return polygon if self.features is None else self.features[polygon]
+
+    def places(self, vertices: Sequence[int]) -> Any:
+        """Some of the points."""
+        if isinstance(self.points, np.ndarray):
+            return self.points[list(vertices)]
+        parts = [[part[2 * v + axis] for v in vertices for axis in (0, 1)] for part in self.points.parts()]
+        return _native.ExactPoints(*parts)
 
     def _alike(self) -> None:
         """Makes all points exact if some are."""
@@ -261,11 +262,40 @@ def _seeds(given: Any, name: str) -> Any:
 
 
 def called(function: Callable[..., T], given: Input, *arguments: Any) -> T:
-    """Calls a function in Rust with an input. The error for a point that is not finite tells which coordinate it is."""
+    """Calls a function in Rust with an input. Errors tell the place, and the geometry, that they come from."""
     try:
         return function(given, *arguments)
     except NonFiniteError as error:
         row = given.points[error.vertex]
         axis = int(np.argmin(np.isfinite(row)))
-        message = f"points[{error.vertex}, {axis}] is {row[axis]}, which is not finite"
-        raise NonFiniteError(message, vertex=error.vertex, axis=axis) from None
+        where, feature = f"points[{error.vertex}, {axis}]", None
+        if given.feature_of is not None:
+            feature = int(given.feature_of[0][error.vertex])
+            where = f"a coordinate of geometry {feature}"
+        message = f"{where} is {row[axis]}, which is not finite"
+        raise NonFiniteError(message, vertex=error.vertex, axis=axis, feature=feature) from None
+    except CrossingEdgesError as error:
+        ends = given.places(given.edges[list(error.edges)].ravel().tolist())
+        place = _native.crossings(Input(ends, np.arange(4, dtype=np.uintp).reshape(2, 2))).points()[0]
+        features = [given.feature_of_edge(edge) for edge in error.edges]
+        message = f"{error}, at {_words(place)}{_of_features(given, features)}"
+        raise CrossingEdgesError(
+            message, edges=error.edges, place=tuple(place.tolist()), features=tuple(features)
+        ) from None
+    except OpenRingError as error:
+        place = as_doubles(given.places([error.vertex]))[0]
+        feature = None if given.feature_of is None else int(given.feature_of[0][error.vertex])
+        message = f"{error}, at {_words(place)}{_of_features(given, [feature])}"
+        raise OpenRingError(message, vertex=error.vertex, place=tuple(place.tolist()), feature=feature) from None
+
+
+def _words(place: np.ndarray) -> str:
+    return f"({place[0]}, {place[1]})"
+
+
+def _of_features(given: Input, features: Sequence[int | None]) -> str:
+    known = list(dict.fromkeys(str(feature) for feature in features if feature is not None))
+    if not known:
+        return ""
+    names = ("polygon", "polygons") if given.feature_of is None else ("geometry", "geometries")
+    return f", of {names[len(known) > 1]} {' and '.join(known)}"

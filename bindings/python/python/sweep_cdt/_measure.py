@@ -6,6 +6,7 @@ from typing import Any
 
 from . import _native
 from ._graph import as_input
+from ._remarks import told
 from ._triangulation import Triangulation, made
 
 
@@ -59,4 +60,4 @@ def measure(
     skip-list 1982 999
     linear 1982 999
     """
-    return made(as_input(points, edges), None, False, None, (front, heuristics, algorithm))
+    return told(made(as_input(points, edges), None, False, None, (front, heuristics, algorithm)), False)

@@ -10,6 +10,7 @@ from typing import Any, overload
 from . import _native
 from ._graph import as_input
 from ._input import Input, called
+from ._remarks import say
 
 
 def trace(points: Any, edges: Any = None, *, heuristics: str = "fast") -> Trace:
@@ -38,7 +39,12 @@ def trace(points: Any, edges: Any = None, *, heuristics: str = "fast") -> Trace:
     triangle 0 P-1 P-2 (first)
     """
     given = as_input(points, edges)
-    return Trace(called(_native.trace, given, heuristics), given)
+    say(given.remarks)
+    return _traced(given, heuristics)
+
+
+def _traced(given: Input, heuristics: str) -> Trace:
+    return Trace(called(_native.trace, given, heuristics), given, heuristics)
 
 
 class Trace(Sequence[dict[str, Any]]):
@@ -48,9 +54,14 @@ class Trace(Sequence[dict[str, Any]]):
     vertices by their positions, or ``P-1`` and ``P-2`` for the artificial points.
     """
 
-    def __init__(self, steps: _native.Steps, given: Input) -> None:
+    def __init__(self, steps: _native.Steps, given: Input, heuristics: str) -> None:
         self._steps = steps
         self._input = given
+        self._heuristics = heuristics
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        # The steps depend on the input alone.
+        return _traced, (self._input, self._heuristics)
 
     def __len__(self) -> int:
         return len(self._steps)

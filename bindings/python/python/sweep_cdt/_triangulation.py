@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import functools
 import json
-import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import _convert, _native
-from ._errors import CrossingEdgesError, ShapeError
+from . import _convert, _native, _places
+from ._errors import CrossingEdgesError
+from ._geometries import HEIGHT
 from ._graph import as_input
-from ._input import Input, as_count, as_fractions, as_points, called
+from ._input import Input, as_count, as_fractions, called
+from ._remarks import Remark, say, told
 
 if TYPE_CHECKING:
     from ._crossings import Split
@@ -32,6 +33,7 @@ def triangulate(
     inside: str | None = None,
     split_crossings: bool = False,
     threads: int | None = None,
+    strict: bool = False,
 ) -> Triangulation:
     """The constrained Delaunay triangulation of points and edges.
 
@@ -44,17 +46,19 @@ def triangulate(
     points : array_like of shape (n, 2), or an object that has points
         Doubles, single precision, whole numbers, `Fraction` or `Decimal`: all exact. Where they are no doubles, a
         whole number, numerator or denominator has at most 10,000 digits, and an exponent is from -400 to 400; what is
-        beyond raises `TooLargeError`. Or geometries of shapely (one, or a list of them), a GeoDataFrame or GeoSeries, or
-        a dictionary of `triangle`: these bring their edges, polygons and holes. An array of doubles of which the rows
-        follow each other in memory is not copied: no other thread may write to it during the call, and whoever writes
-        to it later changes the result's points.
+        beyond raises `TooLargeError`. No point may be masked or missing. Frames of pandas and polars count as arrays.
+        Or geometries: of shapely, a GeoDataFrame, GeoSeries or its array, GeoJSON as a dictionary, what has
+        `__geo_interface__`, and lists and arrays of them; or a dictionary of `triangle`. These bring their edges,
+        polygons and holes, and `heights` and `crs`. An array of doubles of which the rows follow each other in memory is
+        not copied: no other thread may write to it during the call, and whoever writes to it later changes the result's
+        points.
     edges : array_like of int of shape (m, 2), optional
         Pairs of positions in `points`. Edges may come in any order, repeat, overlap, pass through points, and have no
         length.
     polygons : list, optional
         Polygons with holes: each a list of rings, the outline first. A ring is a list of positions in `points`, or of
-        coordinates, which are added to the points. Or polygons of shapely. The sides are edges, after `edges`.
-    holes : array_like of shape (k, 2), optional
+        coordinates, which are added to the points. Or polygons as geometries. The sides are edges, after `edges`.
+    holes : array_like of shape (k, 2), or points as geometries, optional
         For each hole a point in it, as of `triangle`.
     inside : str, optional
         Which triangles are inside: ``hull`` (all), ``polygons`` (what the polygons cover), ``holes`` (what is reached
@@ -66,6 +70,8 @@ def triangulate(
     threads : int, optional
         How many threads work, 0 for as many as there are cores. The default is one. The triangles are the same, but
         several threads number them otherwise, and take up to half more memory. Few points are left to one thread.
+    strict : bool, optional
+        Whether it is an error if something of the input would get lost. Otherwise `RemarkWarning` says so.
 
     Returns
     -------
@@ -76,7 +82,7 @@ def triangulate(
     Error
         One of its kinds, with the offenders as attributes: `CrossingEdgesError`, `NonFiniteError`,
         `EdgeOutOfRangeError`, `ShapeError`, `KindError`, `OpenRingError`, `SeedError`, `TooLargeError`,
-        `OutOfMemoryError`.
+        `OutOfMemoryError`, `RemarkError`.
 
     Examples
     --------
@@ -105,12 +111,10 @@ def triangulate(
     (8, 72.0)
     """
     given = as_input(points, edges, polygons, holes)
-    return made(given, inside, split_crossings, threads, None)
+    return told(made(given, inside, split_crossings, threads, None), strict)
 
 
-def triangulate_inside(
-    points: Any, edges: Any = None, *, polygons: Any = None, inside: str = "even-odd"
-) -> np.ndarray:
+def triangulate_inside(points: Any, edges: Any = None, *, polygons: Any = None, inside: str = "even-odd") -> np.ndarray:
     """The triangles inside of polygons, where nothing else is asked for.
 
     They are those of `triangulate`. Of rings that neither touch nor cross only the inside is triangulated, by the rules
@@ -137,6 +141,7 @@ def triangulate_inside(
     [[0, 1, 5], [0, 4, 3]]
     """
     given = as_input(points, edges, polygons, None)
+    say(given.remarks)
     return called(_native.triangulate_inside, given, inside)
 
 
@@ -159,7 +164,7 @@ def made(
     try:
         core = called(_native.triangulate, given, rule, count, settings)
     except CrossingEdgesError as error:
-        raise CrossingEdgesError(f"{error} (split_crossings=True splits them)", edges=error.edges) from None
+        raise CrossingEdgesError(f"{error} (split_crossings=True splits them)", **error.__dict__) from None
     return Triangulation(core, given, rule, count, settings, split)
 
 
@@ -177,6 +182,12 @@ class Triangulation:
         The points; doubles, or `Fraction` objects where these were given.
     edges : ndarray of int of shape (m, 2)
         The edges, those of polygons included.
+    heights : ndarray of float of shape (n,), or None
+        The z of geometries, in their units, and the first of the ``vertex_attributes`` of a dictionary: for each point,
+        NaN where it has none; `None`, if no point has one. Equal points have the first that one of them has; where edges
+        were split, the height is that along the first edge.
+    crs : object or None
+        The coordinate system of a GeoDataFrame or GeoSeries.
     simplices : ndarray of int32 of shape (t, 3)
         The corners of each triangle of the hull, counter-clockwise, as of SciPy.
     triangles : ndarray of int32 of shape (u, 3)
@@ -203,6 +214,8 @@ class Triangulation:
         The rule for what is inside.
     split : Split or None
         How edges were split, if `split_crossings` was asked for. Then `points` and `edges` are those of the pieces.
+    remarks : tuple of Remark
+        What was ignored, merged or decided, and what is missing.
     stats : dict
         How many points, edges and triangles there are; of `measure` also times and counters.
     """
@@ -243,6 +256,27 @@ class Triangulation:
     @property
     def edges(self) -> np.ndarray:
         return _fixed(self._input.edges.view(np.intp))
+
+    @property
+    def heights(self) -> np.ndarray | None:
+        return self._shared[0]
+
+    @functools.cached_property
+    def _shared(self) -> tuple[np.ndarray | None, list[Remark]]:
+        """The heights, and the remarks on those of equal points."""
+        heights = self._input.heights
+        if heights is None:
+            return None, []
+        shared, remarks = _places.of_equal(self, heights, HEIGHT)
+        return _fixed(shared.view()), remarks
+
+    @functools.cached_property
+    def remarks(self) -> tuple[Remark, ...]:
+        return (*self._input.remarks, *self._shared[1], *self._core.remarks())
+
+    @property
+    def crs(self) -> Any:
+        return self._input.crs
 
     @functools.cached_property
     def simplices(self) -> np.ndarray:
@@ -355,77 +389,12 @@ class Triangulation:
         """
         return self._core.boundary(self._input, self.rule)
 
-    def find_simplex(self, xi: Any, bruteforce: bool = False, tol: float | None = None) -> np.ndarray:
-        """The triangles that hold points, exactly.
-
-        Parameters
-        ----------
-        xi : array_like of shape (..., 2)
-            The points. Of a point on a side or at a corner one of its triangles is found.
-        bruteforce, tol : optional
-            Not used: SciPy has them.
-
-        Returns
-        -------
-        ndarray of int32 of shape (...)
-            Positions in `simplices`; -1 outside of the hull, and for points that are not finite.
-        """
-        del bruteforce, tol
-        points, queries, finite, shape = self._queries(xi)
-        found = np.full(len(finite), -1, dtype=np.int32)
-        found[finite] = self._core.locate(points, queries)
-        return found.reshape(shape)
-
-    def _queries(self, xi: Any) -> tuple[Any, Any, np.ndarray, tuple[int, ...]]:
-        """Points and queries of one kind, which queries are finite as the exact kind needs them, and their shape."""
-        array = np.asarray(xi)
-        if array.ndim == 0 or array.shape[-1] != 2:
-            raise ShapeError(f"xi has the shape {array.shape}, not (..., 2)", shape=array.shape)
-        # Doubles on a grid are looked up as doubles, others are converted to the kind of the points.
-        points, queries = self._input.points, as_points(array.reshape(-1, 2), "xi")
-        finite = np.ones(len(queries), dtype=bool)
-        if isinstance(queries, np.ndarray) and self._input.is_exact:
-            finite = np.isfinite(queries).all(axis=1)
-            queries = as_points(queries[finite].astype(object), "xi")
-        elif not isinstance(queries, np.ndarray) and not self._input.is_exact:
-            points = as_points(points.astype(object))
-        return points, queries, finite, array.shape[:-1]
-
-    def interpolate(self, values: Any, xi: Any) -> np.ndarray:
-        """Values at the points, interpolated linearly in each triangle that is inside.
-
-        Parameters
-        ----------
-        values : array_like of shape (n,) or (n, k)
-            A value for each point: heights, for instance.
-        xi : array_like of shape (..., 2)
-            Where to interpolate.
-
-        Returns
-        -------
-        ndarray of shape (...) or (..., k)
-            NaN where no triangle is inside, and where a value that counts is not finite. Where a point lies is decided
-            exactly; on a side the values of its two ends count, at a corner that of the corner alone.
-
-        Examples
-        --------
-        >>> import sweep_cdt
-        >>> hill = sweep_cdt.triangulate([[0, 0], [4, 0], [4, 4], [0, 4], [2, 2]])
-        >>> hill.interpolate([0, 0, 0, 0, 8], [[2, 1], [2, 2], [9, 9]]).tolist()
-        [4.0, 8.0, nan]
-        """
-        values = np.asarray(values, dtype=float)
-        count, rest = len(self._input.points), values.shape[1:]
-        if values.shape[:1] != (count,):
-            raise ShapeError(f"values has the shape {values.shape}, not ({count}, ...)", shape=values.shape)
-        points, queries, finite, shape = self._queries(xi)
-        columns = values.reshape(count, math.prod(rest))
-        result = np.full((len(finite), columns.shape[1]), np.nan)
-        found = self._core.interpolate(self._input, self.rule, columns, (points, queries))
-        result[finite] = found.reshape(len(queries), columns.shape[1])
-        return result.reshape(shape + rest)
+    # Where points lie, and values there.
+    find_simplex = _places.find_simplex
+    interpolate = _places.interpolate
 
     # To other libraries.
+    to_geodataframe = _convert.to_geodataframe
     to_matplotlib = _convert.to_matplotlib
     to_meshio = _convert.to_meshio
     to_pyvista = _convert.to_pyvista

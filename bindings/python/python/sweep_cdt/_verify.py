@@ -13,6 +13,7 @@ from ._errors import Error, KindError
 from ._foreign import Result, as_result
 from ._graph import as_input
 from ._input import Input, as_count, as_indices, called
+from ._remarks import say
 from ._report import Report
 from ._triangulation import made
 
@@ -147,6 +148,7 @@ def verify(
     added_from = None
     if matched is None:
         given, result, matched, added_from = _matched(given, result, tolerance, by_number, steiner)
+    say(given.remarks)
     rule = given.rule(_rule_of_result(result, given, simplices is None) if domain is None else domain)
     question = Question(
         given,
@@ -209,16 +211,7 @@ def _matched(
     asked = {"is_soup": result.is_soup, "tolerance": tolerance, "by_number": by_number, "steiner": steiner}
     matched = _native.match_vertices(result.points, given.points, asked)
     if steiner:
-        given = Input(
-            matched["points"],
-            given.edges,
-            given.rings,
-            given.ring_of,
-            given.holes,
-            given.regions,
-            given.attributes,
-            given.features,
-        )
+        given = given.changed(points=matched["points"])
     if matched["places"] is not None:
         result.triangles = _renumbered(result.triangles, matched["places"], len(given.points))
     return given, result, matched["words"], count if steiner else None

@@ -8,7 +8,8 @@ use sweep_cdt::Triangulation;
 use sweep_cdt::interior::Interior;
 use sweep_cdt_draw::{write, write_interior};
 use sweep_cdt_formats::{
-    Coordinate, Format, GraphFile, Input, ReadErrorKind, Source, not_written, read, write_node,
+    Coordinate, Format, GraphFile, Input, ReadErrorKind, Remark, Source, not_written, read,
+    write_node,
 };
 
 use super::failure::Failure;
@@ -173,9 +174,9 @@ impl Target {
         &self,
         file: &GraphFile<S>,
         domain: Option<&Interior<'_>>,
-    ) -> Vec<String> {
+    ) -> Option<Remark> {
         match self.format {
-            Format::Svg | Format::Png => Vec::new(),
+            Format::Svg | Format::Png => None,
             format => not_written(format, file, domain),
         }
     }

@@ -51,6 +51,7 @@ pub(crate) fn note(words: std::fmt::Arguments<'_>) {
 pub(crate) fn way_out(error: &ReadError) -> &'static str {
     match error.kind {
         ReadErrorKind::UnpackedLimit { .. } => " (--unpacked-limit allows more)",
+        ReadErrorKind::UnknownColumns => " (or --columns names or numbers those of x, y and z)",
         _ => "",
     }
 }

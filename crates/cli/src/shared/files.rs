@@ -144,6 +144,14 @@ pub(crate) struct ReadingArgs {
     #[arg(long, value_name = "NAME")]
     height_property: Option<String>,
 
+    /// The columns of a .csv, .xyz or .txt that are x, y and perhaps z, by their names or their places from 1 on
+    #[arg(long, value_name = "X,Y[,Z]", value_delimiter = ',')]
+    columns: Vec<String>,
+
+    /// A number that means that there is none, in heights and other columns of vertices: -9999, for example
+    #[arg(long, value_name = "NUMBER", allow_negative_numbers = true)]
+    no_value: Option<f64>,
+
     /// Refuse files that say more than is read, and outputs that have no room for all that is
     #[arg(long)]
     strict: bool,
@@ -167,7 +175,10 @@ impl ReadingArgs {
             identities: Vec::new(),
             unpacked_limit: self.unpacked_limit,
             height_property: self.height_property.clone(),
+            columns: self.columns.clone(),
+            no_value: self.no_value,
             has_faces: self.faces,
+            has_settings: true,
             is_strict: self.strict,
         }
     }
@@ -179,11 +190,23 @@ pub(crate) struct FilesRead {
     identities: Vec<Identity>,
     unpacked_limit: Option<ByteSize>,
     height_property: Option<String>,
+    columns: Vec<String>,
+    no_value: Option<f64>,
     has_faces: bool,
+    /// Whether the settings that remarks name can be given.
+    has_settings: bool,
     is_strict: bool,
 }
 
 impl FilesRead {
+    /// No files; those that will be read are read in pieces, and nothing can be chosen of them.
+    pub(crate) fn in_pieces(is_strict: bool) -> FilesRead {
+        FilesRead {
+            is_strict,
+            ..FilesRead::default()
+        }
+    }
+
     /// Reads all of a file to memory, and notes which one it is.
     pub(crate) fn load(&mut self, file: &FileArgument) -> Result<Source, ReadError> {
         let name = file.raw_name();
@@ -202,6 +225,8 @@ impl FilesRead {
                     Some(ByteSize(bytes)) => source.unpacked_limit(bytes),
                     None => source,
                 };
+                // They are those of the input, which comes first.
+                let source = source.columns(std::mem::take(&mut self.columns));
                 Ok(match &self.height_property {
                     Some(name) => source.height_property(name),
                     None => source,
@@ -217,7 +242,6 @@ impl FilesRead {
         name: &str,
         mut file: GraphFile<S>,
     ) -> Result<GraphFile<S>, Failure> {
-        let faces = file.faces.len();
         if self.has_faces {
             file = file.with_faces().map_err(|corner| {
                 Failure::Error(format!(
@@ -225,45 +249,59 @@ impl FilesRead {
                 ))
             })?;
         }
-        let remarks = std::mem::take(&mut file.remarks);
-        let (losses, others): (Vec<_>, Vec<_>) =
-            remarks.iter().partition(|remark| remark.is_loss());
-        let (mut ignored, mut said) = (Vec::new(), Vec::new());
-        for loss in losses {
-            match loss {
-                Remark::Ignored { count, what } => ignored.push(format!("{count} {what}")),
-                other => said.push(file.in_words(other)),
-            }
+        file = file.without_faces();
+        if let Some(value) = self.no_value {
+            file = file.without_value(value);
         }
-        if faces > 0 && !self.has_faces {
-            let plural = if faces == 1 { "" } else { "s" };
-            ignored.push(format!(
-                "{faces} face{plural} (--faces takes them for polygons)"
-            ));
-        }
-        if !ignored.is_empty() {
-            said.push(format!("ignored: {}", ignored.join(", ")));
-        }
-        for remark in others {
-            note(format_args!("{name}: {remark}"));
-        }
-        self.say(name, &said)?;
+        self.say_of(name, &file)?;
+        file.remarks.clear();
         Ok(file)
     }
 
-    /// Says what gets lost of a file or on the way to one, or refuses it.
-    pub(crate) fn say(&self, name: &str, losses: &[String]) -> Result<(), Failure> {
-        match losses.first() {
-            Some(loss) if self.is_strict => Err(Failure::Error(format!(
-                "{name}: {loss}; --strict refuses that"
-            ))),
-            _ => {
-                losses
-                    .iter()
-                    .for_each(|loss| note(format_args!("{name}: {loss}")));
-                Ok(())
+    /// Says the remarks on a file; a strict run refuses one that something gets lost of.
+    pub(crate) fn say_of<S: Coordinate>(
+        &self,
+        name: &str,
+        file: &GraphFile<S>,
+    ) -> Result<(), Failure> {
+        self.say_in_words(name, &file.remarks, |remark| file.in_words(remark))
+    }
+
+    /// Says remarks that need no file.
+    pub(crate) fn say(&self, name: &str, remarks: &[Remark]) -> Result<(), Failure> {
+        self.say_in_words(name, remarks, Remark::to_string)
+    }
+
+    fn say_in_words(
+        &self,
+        name: &str,
+        remarks: &[Remark],
+        words: impl Fn(&Remark) -> String,
+    ) -> Result<(), Failure> {
+        let mut said: Vec<(&Remark, String)> = Vec::new();
+        for remark in remarks {
+            let setting = remark.setting().filter(|_| self.has_settings);
+            let way_out = setting.map(|(option, does)| format!(" (--{option} {does})"));
+            let way_out = way_out.unwrap_or_default();
+            let mut others = said.iter_mut();
+            let is_ignored = |other: &Remark| matches!(other, Remark::Ignored { .. });
+            // All that is ignored is one line.
+            match (remark, others.find(|(other, _)| is_ignored(other))) {
+                (Remark::Ignored { count, what }, Some((_, line))) => {
+                    line.push_str(&format!(", {count} {what}"));
+                }
+                _ => said.push((remark, words(remark) + &way_out)),
             }
         }
+        for (remark, line) in said {
+            if self.is_strict && remark.is_loss() {
+                return Err(Failure::Error(format!(
+                    "{name}: {line}; --strict refuses that"
+                )));
+            }
+            note(format_args!("{name}: {line}"));
+        }
+        Ok(())
     }
 
     /// Notes a file that is read in pieces, if it is there.

@@ -3,10 +3,11 @@
 use sweep_cdt::crossings::Exact;
 use sweep_cdt::interior::Interior;
 use sweep_cdt::{Bands, Pslg, Triangulator};
-use sweep_cdt_formats::{Column, Coordinate, GraphFile, Input};
+use sweep_cdt_formats::{Column, Coordinate, GraphFile, Input, Remark};
 use sweep_cdt_terrain::Surface;
 
-use super::failure::{Failure, note};
+use super::failure::Failure;
+use super::files::FilesRead;
 
 /// Arguments that choose it.
 #[derive(clap::Args)]
@@ -44,13 +45,18 @@ impl Missing {
 
 impl MissingArgs {
     /// The input called `name` with these heights.
-    pub(crate) fn apply(&self, name: &str, input: Input) -> Result<Input, Failure> {
+    pub(crate) fn apply(
+        &self,
+        name: &str,
+        input: Input,
+        files: &FilesRead,
+    ) -> Result<Input, Failure> {
         let Some(missing) = self.missing else {
             return Ok(input);
         };
         Ok(match input {
-            Input::Doubles(file) => Input::Doubles(missing.filled(name, file)?),
-            Input::Rationals(file) => Input::Rationals(missing.filled(name, file)?),
+            Input::Doubles(file) => Input::Doubles(missing.filled(name, file, files)?),
+            Input::Rationals(file) => Input::Rationals(missing.filled(name, file, files)?),
         })
     }
 }
@@ -60,6 +66,7 @@ impl Missing {
         self,
         name: &str,
         mut file: GraphFile<S>,
+        files: &FilesRead,
     ) -> Result<GraphFile<S>, Failure> {
         let vertices = file.graph.points.len();
         let heights = file.heights().map(|column| {
@@ -94,10 +101,8 @@ impl Missing {
                     heights[v] = height.unwrap_or(f64::NAN);
                 }
                 let outside = found.iter().filter(|height| height.is_none()).count();
-                note(format_args!(
-                    "{name}: {} heights are interpolated, {outside} vertices lie outside of the hull of those with heights",
-                    missing.len() - outside
-                ));
+                let heights = missing.len() - outside;
+                files.say(name, &[Remark::Interpolated { heights, outside }])?;
             }
         }
         let column = file

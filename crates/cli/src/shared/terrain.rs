@@ -3,11 +3,12 @@
 use sweep_cdt::crossings::Exact;
 use sweep_cdt::interior::Interior;
 use sweep_cdt::{Bands, Triangulator};
+use sweep_cdt_engine::{Remark, remarks};
 use sweep_cdt_formats::{Coordinate, GraphFile, Input};
 use sweep_cdt_terrain::Surface;
 
 use super::arguments::InputArgs;
-use super::failure::{Failure, note};
+use super::failure::Failure;
 use super::files::{FilesRead, ReadingArgs};
 use super::inside::InsideArgs;
 use super::missing::MissingArgs;
@@ -56,7 +57,7 @@ impl TerrainArgs {
     /// Reads the input.
     pub(crate) fn read(&self, files: &mut FilesRead) -> Result<Input, Failure> {
         let input = self.input.read(files, |_| ())?;
-        let input = self.missing.apply(&self.name(), input)?;
+        let input = self.missing.apply(&self.name(), input, files)?;
         if self.split.is_asked() {
             Ok(self.split.apply(&self.name(), input)?.0)
         } else {
@@ -64,19 +65,20 @@ impl TerrainArgs {
         }
     }
 
-    /// Triangulates a file, and works on the surface.
+    /// Triangulates a file, and works on the surface. What is to say about both is said.
     pub(crate) fn surface<S: Coordinate + Exact, W: Work<S>>(
         &self,
         file: &GraphFile<S>,
+        files: &FilesRead,
         work: W,
     ) -> Result<W::Done, Failure> {
         let name = self.name();
         let failure = |error: &dyn std::fmt::Display| Failure::Error(format!("{name}: {error}"));
-        let Some(heights) = file.heights() else {
+        if file.heights().is_none() {
             return Err(failure(
                 &"the vertices have no heights: a third coordinate, the column z, the first attribute of a .node or .poly, or the property of a .geojson or column of a .csv that --height-property names",
             ));
-        };
+        }
         let graph = &file.graph;
         let result =
             Triangulator::new().triangulate_parallel(&graph.points, &graph.edges, Bands::new());
@@ -84,17 +86,19 @@ impl TerrainArgs {
             let advice = SplitArgs::advice(&error);
             failure(&format!("{}{advice}", located(file, error)))
         })?;
+        let duplicates: Vec<[usize; 2]> = result.duplicates().collect();
+        let shared = file.sharing(&duplicates);
+        let file = shared.as_ref().unwrap_or(file);
+        files.say_of(&name, file)?;
         let domain = self.inside.domain(&name, file, &result)?;
+        files.say(&name, &remarks(file, &result, domain.as_ref()))?;
+        let heights = file.heights().map_or(&[][..], |column| &column.values);
         let domain = domain.unwrap_or_else(|| Interior::whole(&result));
-        let surface = Surface::new(&graph.points, &domain, &heights.values);
+        let surface = Surface::new(&file.graph.points, &domain, heights);
         let done = work.run(&surface)?;
-        let missing = surface.missing();
-        if missing > 0 {
-            let triangles = domain.inside().len();
-            note(format_args!(
-                "{missing} of {triangles} triangles have a corner without a height, and are left out"
-            ));
-        }
+        let (missing, triangles) = (surface.missing(), domain.inside().len());
+        let open = (missing > 0).then_some(Remark::OpenTriangles { missing, triangles });
+        files.say(&name, open.as_slice())?;
         Ok(done)
     }
 }

@@ -68,6 +68,10 @@ pub(crate) struct StreamCommand {
     #[arg(long)]
     check: bool,
 
+    /// Refuse inputs that say more than points and edges: heights, for example
+    #[arg(long)]
+    strict: bool,
+
     /// Print counts, times and bytes as a table
     #[arg(long)]
     stats: bool,
@@ -86,7 +90,8 @@ Output:
            three numbers for each triangle, little-endian, of 32 or 64 bits: the positions of its
            corners among the points of the input, from 0. NumPy reads them by fromfile
   .ele     Triangle's elements, with the numbers that a .node or .poly gives its vertices
-  .ply     binary: the points in the order of the input, with a z of 0, and the triangles
+  .ply     binary: the points in the order of the input, and the triangles. Their z is 0, or NaN where the
+           input has heights, which are left out
   Where more stays alive than --memory holds, the triangles up to there are written to a file whose
   name ends in .incomplete. A run that fails otherwise writes no file.
 Memory:
@@ -174,10 +179,13 @@ impl StreamCommand {
         }
         let part = destination.as_ref().map(Destination::part).transpose()?;
         let part = part.flatten();
-        let read = self.sort.files(&self.input);
+        let read = self.sort.files(&self.input, self.strict);
         refuse_read(&read, destination.iter().chain(&part).chain(&vertices))?;
         refuse_twice(destination.iter().chain(&part).chain(&vertices))?;
-        let sorted = self.sort.sorted(&self.input)?;
+        let name = self.input.input_name();
+        let sorted = self
+            .sort
+            .sorted(&self.input, |remarks| read.say(&name, remarks))?;
         let summary = sorted.order.summary();
         if let Some(format) = format {
             format.holds(summary.points)?;

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use bytesize::ByteSize;
+use sweep_cdt_engine::Remark;
 use sweep_cdt_stream::external::{Error, FORMATS, Format, Input, Sorting, SweepOrder, open};
 
 use crate::shared::failure::Failure;
@@ -70,8 +71,8 @@ impl SortArgs {
     }
 
     /// The files that are read, none of which may be overwritten.
-    pub(super) fn files(&self, input: &FileArgument) -> FilesRead {
-        let mut files = FilesRead::default();
+    pub(super) fn files(&self, input: &FileArgument, is_strict: bool) -> FilesRead {
+        let mut files = FilesRead::in_pieces(is_strict);
         // The vertices of a `.poly` may be beside it.
         let node = input.beside("node");
         let paths = [input.path(), node.as_ref().and_then(FileArgument::path)];
@@ -81,8 +82,12 @@ impl SortArgs {
         files
     }
 
-    /// The input, sorted.
-    pub(super) fn sorted(&self, input: &FileArgument) -> Result<Sorted, Failure> {
+    /// The input, sorted. `say` gets what is left out of it before.
+    pub(super) fn sorted(
+        &self,
+        input: &FileArgument,
+        say: impl FnOnce(&[Remark]) -> Result<(), Failure>,
+    ) -> Result<Sorted, Failure> {
         let Some(path) = input.path() else {
             let message =
                 "a stream is read from a file, since its size must be known: write INPUT to a file";
@@ -90,8 +95,17 @@ impl SortArgs {
         };
         let format = format_of_input(input, "--stream-format", self.stream_format, FORMATS)?;
         let folder = self.temporary.clone().unwrap_or_else(std::env::temp_dir);
-        let sorted = self.sort(path, format, &folder);
-        sorted.map_err(|error| self.failure(&error))
+        let mut opened = open(path, format, self.edges.as_deref())?;
+        say(&opened.remarks())?;
+        let order = self.order(&mut *opened, &folder);
+        let [first_point, first_edge] = opened.first();
+        Ok(Sorted {
+            order: order.map_err(|error| self.failure(&error))?,
+            first_point,
+            first_edge,
+            path: path.to_owned(),
+            format,
+        })
     }
 
     /// What ends a run that cannot sort, with the option that helps.
@@ -109,21 +123,11 @@ impl SortArgs {
         })
     }
 
-    fn sort(&self, path: &Path, format: Format, folder: &Path) -> Result<Sorted, Error> {
-        let mut input = open(path, format, self.edges.as_deref())?;
+    fn order(&self, input: &mut dyn Input, folder: &Path) -> Result<SweepOrder, Error> {
         let mut progress = Progress::new("sorting");
         let share = |bytes| usize::try_from(bytes).unwrap_or(usize::MAX);
-        let order =
-            Sorting::new(self.memory(), folder).sort_with(&mut *input, &mut |done, all| {
-                progress.show(share(done), share(all));
-            })?;
-        let [first_point, first_edge] = input.first();
-        Ok(Sorted {
-            order,
-            first_point,
-            first_edge,
-            path: path.to_owned(),
-            format,
+        Sorting::new(self.memory(), folder).sort_with(input, &mut |done, all| {
+            progress.show(share(done), share(all));
         })
     }
 }

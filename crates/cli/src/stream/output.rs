@@ -108,9 +108,11 @@ pub(super) fn begin(
     }
 }
 
-/// Writes all points as the input has them, with a z of 0.
+/// Writes all points as the input has them, but for their heights.
 fn write_points(out: &mut Out<'_>, input: &mut dyn Input, points: u64) -> Result<(), Trouble> {
     let mut progress = Progress::new("writing points");
+    // A height that is left out is none, and not 0.
+    let z = if input.has_heights() { f64::NAN } else { 0.0 };
     let mut some = Vec::new();
     let mut done = 0;
     loop {
@@ -122,7 +124,7 @@ fn write_points(out: &mut Out<'_>, input: &mut dyn Input, points: u64) -> Result
             break;
         }
         for &[x, y] in &some {
-            let bytes = [x, y, 0.0].map(f64::to_le_bytes);
+            let bytes = [x, y, z].map(f64::to_le_bytes);
             out.write_all(bytes.as_flattened()).map_err(Trouble::Out)?;
         }
         done += some.len() as u64;

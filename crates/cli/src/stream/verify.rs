@@ -53,7 +53,7 @@ pub(crate) fn verify_stream(
         return Err(Failure::Usage(message.to_owned()));
     };
     let triangles = Triangles::open(path)?;
-    let Sorted { order, .. } = sort.sorted(input)?;
+    let Sorted { order, .. } = sort.sorted(input, |_| Ok(()))?;
     let (what, all) = (level.title(), triangles.left());
     let [input, result] = [input, result].map(FileArgument::input_name);
     match judged(sort, order, triangles, level) {

@@ -73,7 +73,7 @@ pub fn read(format: Format, source: &Source, node: Option<&Source>) -> Result<In
         Format::Poly => triangle::read_poly(source, node)?,
         Format::Json => match json::read(source) {
             Err(_) if geojson::is_in(source) => return read(Format::Geojson, source, node),
-            content => content?,
+            content => content.map_err(|error| geojson::foreign(source).unwrap_or(error))?,
         },
         Format::Obj => obj::read(source)?.into_graph()?,
         Format::Off => off::read(source)?.into_graph()?,
@@ -85,7 +85,9 @@ pub fn read(format: Format, source: &Source, node: Option<&Source>) -> Result<In
             return input(format, unpacked.mesh()?.into_graph()?);
         }
         Format::Msh => msh::read(source)?.into_graph()?,
-        Format::Geojson => geojson::read(source)?.into_graph(),
+        Format::Geojson => geojson::read(source)
+            .map_err(|error| geojson::foreign(source).unwrap_or(error))?
+            .into_graph(),
         Format::Wkt => wkt::read(source)?.into_graph(),
         Format::Npy => return input(format, Arrays::of_points(source)?.graph()?),
         Format::Npz => return input(format, Arrays::of_archive(source)?.graph()?),

@@ -20,6 +20,8 @@ pub struct Source {
     unpacked_limit: Option<u64>,
     /// The name of a property that is a height, if it was named.
     pub(super) height_property: Option<String>,
+    /// The columns of x, y and z, if they were chosen.
+    pub(super) columns: Vec<String>,
 }
 
 /// The bytes that every file may unpack to.
@@ -35,6 +37,7 @@ impl Source {
             bytes: bytes.into(),
             unpacked_limit: None,
             height_property: None,
+            columns: Vec::new(),
         }
     }
 
@@ -45,6 +48,25 @@ impl Source {
     #[must_use]
     pub fn height_property(mut self, name: impl Into<String>) -> Source {
         self.height_property = Some(name.into());
+        self
+    }
+
+    /// Chooses the columns of points as text that are x, y and, if there are three, z: each by its name, or by its place
+    /// from 1 on. Other formats have none.
+    ///
+    /// ```
+    /// use sweep_cdt_formats::{Format, Input, Source, read};
+    ///
+    /// let source = Source::new("a.csv", "GCP1,4.5,7,88.1\nGCP2,5,8,89.4\n").columns(["2", "3", "4"]);
+    /// let Input::Doubles(file) = read(Format::Csv, &source, None)? else {
+    ///     unreachable!("no fraction in the file")
+    /// };
+    /// assert_eq!(file.graph.points[0], [4.5, 7.0]);
+    /// # Ok::<(), sweep_cdt_formats::ReadError>(())
+    /// ```
+    #[must_use]
+    pub fn columns(mut self, columns: impl IntoIterator<Item = impl Into<String>>) -> Source {
+        self.columns = columns.into_iter().map(Into::into).collect();
         self
     }
 
@@ -163,6 +185,8 @@ pub enum ReadErrorKind {
     Content,
     /// Give the `.node` beside the file, a `.poly` that leaves its vertices to it.
     MissingNode,
+    /// Say which columns of a table are x and y ([`Source::columns`]).
+    UnknownColumns,
     /// Raise the limit of unpacked data ([`Source::unpacked_limit`]), if the file can be trusted.
     UnpackedLimit {
         /// The limit, in bytes.

@@ -1,9 +1,9 @@
 //! What a format has no room for.
 
-use crate::{Coordinate, CoordinateSystem, Format, GraphFile};
+use crate::{Coordinate, CoordinateSystem, Format, GraphFile, Remark};
 use sweep_cdt::interior::Interior;
 
-/// What of a file and its domain an output in this format does not say, each as words that follow "not written:".
+/// What of a file and its domain an output in this format does not say: a remark, if there is anything.
 /// A `.cert` alone has vertices without heights; other formats without heights have no vertices either.
 ///
 /// ```
@@ -11,14 +11,15 @@ use sweep_cdt::interior::Interior;
 ///
 /// let wind = Column { name: "wind".to_owned(), values: vec![1.5] };
 /// let file = GraphFile::<f64> { columns: vec![wind], ..GraphFile::default() };
-/// assert_eq!(not_written(Format::Obj, &file, None), ["the column `wind`"]);
-/// assert!(not_written(Format::Node, &file, None).is_empty());
+/// let lost = not_written(Format::Obj, &file, None).unwrap();
+/// assert_eq!(lost.to_string(), "not written: the column `wind`");
+/// assert_eq!(not_written(Format::Node, &file, None), None);
 /// ```
 pub fn not_written<S: Coordinate>(
     format: Format,
     file: &GraphFile<S>,
     interior: Option<&Interior<'_>>,
-) -> Vec<String> {
+) -> Option<Remark> {
     let Room {
         columns,
         vertex_markers,
@@ -58,7 +59,7 @@ pub fn not_written<S: Coordinate>(
     if let Some(lost) = file.system.as_ref().filter(|lost| !system.holds(lost)) {
         losses.push(format!("the coordinate system {}", lost.name()));
     }
-    losses
+    (!losses.is_empty()).then_some(Remark::NotWritten { what: losses })
 }
 
 /// What a format can say.

@@ -57,6 +57,10 @@ pub(super) fn read(source: &Source) -> Result<Mesh<'_>, ReadError> {
                     "the version is 1, and only 2 and 4.1 are read: save it again with Gmsh";
                 return Err(line.error(message));
             }
+            (b"$ParametricNodes", ..) => {
+                let message = "the section `$ParametricNodes` is not read: save the mesh again without parametric coordinates";
+                return Err(line.error(message));
+            }
             (b"$Nodes" | b"$Elements", ..) => {
                 return Err(
                     line.error("`$MeshFormat`, `$Nodes` and `$Elements` come once, in this order")

@@ -10,7 +10,8 @@
 //!
 //! The third coordinate is a height, unless [`Source::height_property`] names a property that is. Where there is
 //! neither, of points and lines the best of the usual names (`names.rs`) with a number is. The member
-//! `crs` goes through. Other properties and members are ignored with a remark, and so is a geometry that is `null` or
+//! `crs` goes through. Without it, a side that spans more than 180 degrees of longitude gets a
+//! remark. Other properties and members are ignored with a remark, and so is a geometry that is `null` or
 //! whose coordinates are an empty list, without one. A coordinate may be a string with a fraction, as in our own JSON.
 //!
 //! Cost: each object is read once for each object around it, of which there may be [`NESTED`].
@@ -105,6 +106,30 @@ pub(crate) fn is_in(source: &Source) -> bool {
     first
         .and_then(Object::of)
         .is_some_and(|object| object.kind().is_some())
+}
+
+/// The refusal of JSON that holds a map in another program's form, by its name and with what makes one that is read.
+pub(crate) fn foreign(source: &Source) -> Option<ReadError> {
+    let text = source.text().ok()?;
+    let mut texts = serde_json::Deserializer::from_slice(text).into_iter::<&RawValue>();
+    let piece = texts.next()?.ok()?;
+    let members = members(piece.get().as_bytes())?;
+    let value = |name: &str| {
+        let mut members = members.iter();
+        let member = members.find(|(other, _)| other == name);
+        member.map(|(_, value)| value.get())
+    };
+    let is_esri = ["geometryType", "spatialReference", "rings", "paths"]
+        .iter()
+        .any(|name| value(name).is_some());
+    let form = match value("type") {
+        Some("\"Topology\"") => "TopoJSON",
+        None if is_esri => "Esri's JSON",
+        _ => return None,
+    };
+    let message =
+        format!("this is {form}, which is not read: `ogr2ogr -f GeoJSON` makes a .geojson of it");
+    Some(ReadError::of_file(&source.name, message))
 }
 
 /// Reads a `.geojson`.
@@ -218,6 +243,11 @@ pub(crate) fn read(source: &Source) -> Result<Shapes<'_>, ReadError> {
         }
     }
     raised.say(source, &mut shapes);
+    if shapes.system.is_none() {
+        let edges = shapes.wide_sides();
+        let wide = (edges > 0).then_some(Remark::HalfOfTheGlobe { edges });
+        wide.into_iter().for_each(|wide| shapes.remarks.add(wide));
+    }
     Ok(shapes)
 }
 

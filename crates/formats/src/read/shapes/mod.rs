@@ -92,6 +92,23 @@ impl<'a> Shapes<'a> {
             .push((part, self.features, first..self.coordinates.len()));
     }
 
+    /// How many sides of lines and rings span more than 180 degrees, if all positions are longitudes and latitudes.
+    pub(super) fn wide_sides(&self) -> usize {
+        let value = |piece| self.syntax.value::<f64>(piece).unwrap_or(f64::NAN);
+        let places = self.coordinates.iter().map(|place| place.map(value));
+        let places: Vec<[f64; 2]> = places.collect();
+        let is_on_globe = |[x, y]: &[f64; 2]| x.abs() <= 180.0 && y.abs() <= 90.0;
+        if !places.iter().all(is_on_globe) {
+            return 0;
+        }
+        let parts = self.parts.iter();
+        let parts = parts.filter(|(part, ..)| *part != Part::Points);
+        let sides = parts.flat_map(|(.., range)| places[range.clone()].windows(2));
+        sides
+            .filter(|side| (side[0][0] - side[1][0]).abs() > 180.0)
+            .count()
+    }
+
     /// All positions as vertices, and the sides of lines and rings.
     pub(super) fn into_graph(self) -> Edges<'a> {
         let (mut edges, mut polygons) = (Vec::new(), Polygons::default());

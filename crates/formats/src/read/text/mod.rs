@@ -11,7 +11,8 @@
 //! | z | the one that [`Source::height_property`] names; or the best of the usual names (`names.rs`) |
 //! | others | of numbers: columns of the vertices; of anything else: ignored with a remark |
 //!
-//! The names may also stand in the last comment before the numbers, if that has those of x and y. The separator is the
+//! The names may also stand in the last comment before the numbers, if that has those of x and y. [`Source::columns`]
+//! chooses others. A first row of one whole number is how many points follow. The separator is the
 //! first one of semicolon, tab, comma and blanks that makes a row of names, or of numbers, out of the first row. (See
 //! `rows.rs` for rows and quotes.) A field that is empty, `nan`, `na`, `n/a`, `null`, `none` or `-` is missing, which x and
 //! y must not be. Rows may be short, and what they lack is missing; fields beyond the first row must not be numbers.
@@ -26,7 +27,7 @@ use std::collections::HashMap;
 use crate::read::content::{Edges, Field, Syntax, Vertices};
 use crate::read::names::{HEIGHTS, rank};
 use crate::read::remarks::Remarks;
-use crate::read::source::{ReadError, Source, quoted};
+use crate::read::source::{ReadError, ReadErrorKind, Source, quoted};
 use crate::read::text::rows::{Rows, Separator, text};
 use crate::{Column, CoordinateError, Remark};
 
@@ -49,35 +50,36 @@ const MISSING: [&[u8]; 6] = [b"nan", b"na", b"n/a", b"null", b"none", b"-"];
 pub(super) fn read(source: &Source) -> Result<Edges<'_>, ReadError> {
     let mut rows = Rows::new(source, separator(source)?)?;
     let mut fields = Vec::new();
-    let Some(line) = rows.next_row(&mut fields)? else {
+    let Some(mut line) = rows.next_row(&mut fields)? else {
         return Err(ReadError::of_file(&source.name, "the file is empty"));
     };
-    let error = |message: String| source.error_in_line(line, message);
-    let header = Header::of(&fields).map_err(error)?;
-    let is_header = header.is_some();
-    let comment = rows.comment();
-    let header = match header {
-        Some(header) => header,
-        None if fields.len() < 2 => {
-            let message = "the first row has one field: x and y must stand in two, with a comma, a semicolon, a tab or \
-                           blanks between them";
-            return Err(error(message.to_owned()));
-        }
-        None if fields.iter().any(|field| begins_as_number(field)) => match Header::of(&comment) {
-            Ok(Some(header)) if comment.len() == fields.len() => header,
-            _ => Header::without_names(&fields),
-        },
-        None => {
-            let names: Vec<String> = fields.iter().take(8).map(|&name| quoted(name)).collect();
-            let message = format!(
-                "of the columns {} none are called x and y, or easting and northing, or longitude and latitude: rename \
-                 two of them",
-                names.join(", ")
-            );
-            return Err(error(message));
-        }
-    };
+    let promised = count(&fields);
+    if promised.is_some()
+        && let Some(next) = rows.next_row(&mut fields)?
+    {
+        line = next;
+    }
     let mut remarks = Remarks::default();
+    let error = |message: String| ReadError {
+        kind: match fields.len() < 2 || fields.iter().any(|name| holds_shapes(name)) {
+            true => ReadErrorKind::Content,
+            false => ReadErrorKind::UnknownColumns,
+        },
+        ..source.error_in_line(line, message)
+    };
+    let comment = rows.comment();
+    let (header, is_header) = match &source.columns[..] {
+        [] => {
+            let named = Header::of(&fields).map_err(error)?;
+            let is_header = named.is_some();
+            let header = match named {
+                Some(header) => header,
+                None => Header::not_in(&fields, &comment, &mut remarks).map_err(error)?,
+            };
+            (header, is_header)
+        }
+        chosen => Header::chosen(chosen, &fields, &comment).map_err(error)?,
+    };
     let z = match &source.height_property {
         Some(name) => header.asked(name, &mut remarks),
         None => header.z().map_err(error)?,
@@ -89,6 +91,11 @@ pub(super) fn read(source: &Source) -> Result<Edges<'_>, ReadError> {
     while let Some(line) = rows.next_row(&mut fields)? {
         table.add(line, &fields)?;
     }
+    let points = table.coordinates.len();
+    if let Some(promised) = promised.filter(|&promised| promised != points as u64) {
+        let what = format!("that there are {promised} points, and {points} follow");
+        remarks.add(Remark::Promise { what });
+    }
     let vertices = table.vertices(&mut remarks);
     Ok(Edges {
         remarks,
@@ -96,12 +103,25 @@ pub(super) fn read(source: &Source) -> Result<Edges<'_>, ReadError> {
     })
 }
 
+/// The number of points that a first row is, as some scanners write it.
+fn count(fields: &[&[u8]]) -> Option<u64> {
+    match fields {
+        [only] => std::str::from_utf8(only).ok()?.parse().ok(),
+        _ => None,
+    }
+}
+
 /// The separator of a file.
 fn separator(source: &Source) -> Result<Separator, ReadError> {
     let mut there = None;
     for separator in Separator::ALL {
         let mut fields = Vec::new();
-        if Rows::new(source, separator)?.next_row(&mut fields).is_err() {
+        let mut rows = Rows::new(source, separator)?;
+        let mut is_wrong = rows.next_row(&mut fields).is_err();
+        if count(&fields).is_some() {
+            is_wrong |= rows.next_row(&mut fields).is_err();
+        }
+        if is_wrong {
             continue;
         }
         let is_header = || !matches!(Header::of(&fields), Ok(None));
@@ -153,6 +173,109 @@ impl Header {
         }))
     }
 
+    /// The header of a file whose first row is none: the last comment, or the order of the columns.
+    fn not_in(
+        fields: &[&[u8]],
+        comment: &[&[u8]],
+        remarks: &mut Remarks,
+    ) -> Result<Header, String> {
+        let shown = || {
+            let names = fields.iter().take(8).map(|&name| quoted(name));
+            names.collect::<Vec<String>>().join(", ")
+        };
+        if fields.len() < 2 {
+            let message = "the first row has one field: x and y must stand in two, with a comma, a semicolon, a tab or \
+                           blanks between them";
+            return Err(message.to_owned());
+        }
+        if let Some(&shapes) = fields.iter().find(|name| holds_shapes(name)) {
+            return Err(format!(
+                "the column {} holds shapes: they are read from a .wkt of that column alone, or from a .geojson, which \
+                 `ogr2ogr -f GeoJSON` makes of this file",
+                quoted(shapes)
+            ));
+        }
+        if !fields.iter().any(|field| begins_as_number(field)) {
+            let shown = shown();
+            return Err(format!(
+                "of the columns {shown} none are called x and y, or easting and northing, or longitude and latitude: \
+                 rename two of them"
+            ));
+        }
+        if comment.len() == fields.len()
+            && let Ok(Some(header)) = Header::of(comment)
+        {
+            return Ok(header);
+        }
+        let is_word = |field: &[u8]| !is_missing(field) && !begins_as_number(field);
+        if is_word(fields[0]) && fields.iter().filter(|field| is_number(field)).count() > 1 {
+            let shown = shown();
+            return Err(format!(
+                "the columns {shown} have no names, and the first is no number: put names in the first row, x and y among them"
+            ));
+        }
+        let header = Header::without_names(fields);
+        let count = fields.len();
+        if count > 3 {
+            let z = header.heights.first();
+            let places = [&header.x, &header.y].into_iter().chain(z);
+            let places = places.map(|place| place + 1).collect();
+            remarks.add(Remark::Columns { places, count });
+        }
+        Ok(header)
+    }
+
+    /// The header where columns are chosen, each by its name or place, and whether the first row has names.
+    fn chosen(
+        chosen: &[String],
+        fields: &[&[u8]],
+        comment: &[&[u8]],
+    ) -> Result<(Header, bool), String> {
+        let named = |row: &[&[u8]], name: &str| row.iter().position(|field| text(field) == name);
+        let names = |row: &[&[u8]]| row.iter().map(|name| text(name)).collect::<Vec<String>>();
+        let place = |name: &String| {
+            let by_place = || {
+                let place: usize = name.parse().ok()?;
+                (1..=fields.len()).contains(&place).then(|| place - 1)
+            };
+            let by_name = named(fields, name).or_else(|| named(comment, name));
+            let none = || {
+                let count = fields.len();
+                format!(
+                    "there is no column {}: it is a name, or a place from 1 to {count}",
+                    quoted(name.as_bytes())
+                )
+            };
+            by_name
+                .or_else(by_place)
+                .filter(|&at| at < fields.len())
+                .ok_or_else(none)
+        };
+        let places: Vec<usize> = chosen.iter().map(place).collect::<Result<_, _>>()?;
+        let (&[x, y] | &[x, y, _]) = &places[..] else {
+            return Err(format!(
+                "{} columns are chosen: two are, or three with z",
+                places.len()
+            ));
+        };
+        let is_header = !begins_as_number(fields[x]) && !begins_as_number(fields[y]);
+        let names = match is_header {
+            true => names(fields),
+            false if comment.len() == fields.len() => names(comment),
+            false => vec![String::new(); fields.len()],
+        };
+        let heights = places[2..].to_vec();
+        Ok((
+            Header {
+                names,
+                x,
+                y,
+                heights,
+            },
+            is_header,
+        ))
+    }
+
     /// The column of the height by its name, if there is one.
     fn z(&self) -> Result<Option<usize>, String> {
         match self.heights[..] {
@@ -200,6 +323,14 @@ fn only(columns: &[usize], what: &str, names: &[String]) -> Result<usize, String
         }
         _ => Ok(columns[0]),
     }
+}
+
+/// Whether a name is that of a column with geometries.
+fn holds_shapes(name: &[u8]) -> bool {
+    let names = ["wkt", "geom", "geometry", "the_geom"];
+    names
+        .iter()
+        .any(|known| name.eq_ignore_ascii_case(known.as_bytes()))
 }
 
 fn is_missing(field: &[u8]) -> bool {

@@ -1,6 +1,6 @@
 //! Text as rows of fields, which a comma, a semicolon, a tab or blanks separate, as in `.csv`.
 //!
-//! Lines whose first sign is `#` are comments, and rows without anything in their fields do not count. A field may stand
+//! Lines that begin with `#` or `//` are comments, and rows without anything in their fields do not count. A field may stand
 //! in quotes: then separators and ends of lines in it mean nothing, and a doubled quote is one. Blanks around a field do
 //! not belong to it. Where blanks separate, many are as one, and `#` ends the row.
 //!
@@ -59,8 +59,7 @@ pub(super) struct Rows<'a> {
 }
 
 impl<'a> Rows<'a> {
-    /// All rows of a file. A first line `sep=;` is no row, as Excel has it, and the signs `//`, which some programs put
-    /// before the names of columns, are read over.
+    /// All rows of a file. A first line `sep=;` is no row, as Excel has it.
     pub(super) fn new(source: &'a Source, separator: Separator) -> Result<Rows<'a>, ReadError> {
         let text = source.text()?;
         let (first, others) = split_line(text);
@@ -69,7 +68,7 @@ impl<'a> Rows<'a> {
         Ok(Rows {
             source,
             separator,
-            rest: text.strip_prefix(b"//").unwrap_or(text),
+            rest: text,
             lines: usize::from(is_of_excel),
             comment: b"",
         })
@@ -85,7 +84,9 @@ impl<'a> Rows<'a> {
             self.lines += 1;
             let line = self.lines;
             let (text, rest) = split_line(self.rest);
-            if let Some(comment) = text.trim_ascii().strip_prefix(b"#") {
+            let text = text.trim_ascii();
+            let comment = text.strip_prefix(b"#").or_else(|| text.strip_prefix(b"//"));
+            if let Some(comment) = comment {
                 (self.comment, self.rest) = (comment, rest);
                 continue;
             }

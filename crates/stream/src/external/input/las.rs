@@ -17,7 +17,7 @@ use las::{Header, LazParallelism, PointData, PointDataBuilder, Reader, ReaderOpt
 use laz::LazVlr;
 use laz::laszip::{ChunkTable, LazItemType};
 use sweep_cdt::threads::has_threads;
-use sweep_cdt_formats::{ReadError, reason};
+use sweep_cdt_formats::{ReadError, Remark, reason};
 
 use crate::external::input::Input;
 use crate::external::input::file::InputFile;
@@ -34,6 +34,8 @@ pub(super) struct Cloud {
     file: InputFile,
     reader: Reader,
     points: PointData,
+    /// Where the points begin, as the header says.
+    points_begin: u64,
     read: u64,
     count: u64,
 }
@@ -42,7 +44,8 @@ impl Cloud {
     pub(super) fn open(path: &Path) -> Result<Cloud, ReadError> {
         let file = InputFile::open(path)?;
         let read = BufReader::new(file.handle()?);
-        let reader = caught(|| reader(read, file.length)).map_err(|why| file.error(why))?;
+        let (reader, points_begin) =
+            caught(|| reader(read, file.length)).map_err(|why| file.error(why))?;
         let header = reader.header();
         let (points, count) = (
             PointDataBuilder::new().for_header(header).build(),
@@ -52,6 +55,7 @@ impl Cloud {
             file,
             reader,
             points,
+            points_begin,
             read: 0,
             count,
         })
@@ -65,9 +69,9 @@ fn caught<T>(work: impl FnOnce() -> Result<T, String>) -> Result<T, String> {
     done.unwrap_or_else(|_| Err("what is packed is damaged".to_owned()))
 }
 
-/// Checks a file, and reads it from the begin.
-fn reader(mut read: BufReader<File>, length: u64) -> Result<Reader, String> {
-    check_lengths(&mut read, length)?;
+/// Checks a file, and reads it from the begin. Returns also where its points begin.
+fn reader(mut read: BufReader<File>, length: u64) -> Result<(Reader, u64), String> {
+    let begin = check_lengths(&mut read, length)?;
     read.rewind().map_err(|error| reason(&error))?;
     let chunk = largest_chunk(&mut read, length)?;
     let parallelism = match chunk <= BYTES && has_threads() {
@@ -76,11 +80,13 @@ fn reader(mut read: BufReader<File>, length: u64) -> Result<Reader, String> {
     };
     let options = ReaderOptions::default().with_laz_parallelism(parallelism);
     read.rewind().map_err(|error| reason(&error))?;
-    Reader::with_options(read, options).map_err(|error| error.to_string())
+    let reader = Reader::with_options(read, options).map_err(|error| error.to_string())?;
+    Ok((reader, begin))
 }
 
 /// Refuses a header that says of points, and of the record behind them, more than the file has room for.
-fn check_lengths(read: &mut (impl Read + Seek), length: u64) -> Result<(), String> {
+/// Returns where the points begin.
+fn check_lengths(read: &mut (impl Read + Seek), length: u64) -> Result<u64, String> {
     let header = las::raw::Header::read_from(&mut *read).map_err(|error| error.to_string())?;
     let large = header.large_file.map(|large| large.number_of_point_records);
     let count = match header.number_of_point_records {
@@ -95,8 +101,9 @@ fn check_lengths(read: &mut (impl Read + Seek), length: u64) -> Result<(), Strin
             "it has {length} bytes, and {count} points take more: it is cut off"
         ));
     }
+    let points_begin = header.offset_to_point_data.into();
     let Some(record) = header.evlr else {
-        return Ok(());
+        return Ok(points_begin);
     };
     let begin = record.start_of_first_evlr;
     // Behind 20 bytes stands the length of what follows a head of 60.
@@ -107,7 +114,7 @@ fn check_lengths(read: &mut (impl Read + Seek), length: u64) -> Result<(), Strin
     });
     let size = size.transpose().map_err(|error| reason(&error))?;
     match size.and_then(|size| after(size.checked_add(60)?)) {
-        Some(_) => Ok(()),
+        Some(_) => Ok(points_begin),
         None => Err(format!(
             "the record behind its points is longer than its {length} bytes"
         )),
@@ -259,6 +266,36 @@ impl Input for Cloud {
 
     fn next_edges(&mut self, _edges: &mut Vec<[u64; 2]>) -> Result<(), ReadError> {
         Ok(())
+    }
+
+    /// A header that says of no points, or that they are all in one place, is one that was never completed.
+    fn remarks(&self) -> Vec<Remark> {
+        let header = self.reader.header();
+        let mut remarks = Vec::new();
+        let bytes = self.file.length.saturating_sub(self.points_begin);
+        if self.count == 0 && bytes >= u64::from(header.point_format().len().max(1)) {
+            let what = format!("that there are 0 points, and {bytes} bytes follow");
+            remarks.push(Remark::Promise { what });
+        }
+        let transforms = header.transforms();
+        for (axis, scale) in [("x", transforms.x.scale), ("y", transforms.y.scale)] {
+            if scale.abs() == 0.0 {
+                let what =
+                    format!("that the scale of {axis} is 0, so that all points have one {axis}");
+                remarks.push(Remark::Promise { what });
+            }
+        }
+        if self.count > 0 {
+            remarks.push(Remark::Ignored {
+                count: usize::try_from(self.count).unwrap_or(usize::MAX),
+                what: "heights, and all else that points have".to_owned(),
+            });
+        }
+        remarks
+    }
+
+    fn has_heights(&self) -> bool {
+        true
     }
 
     /// The share of the points, as bytes.

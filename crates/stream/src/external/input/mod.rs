@@ -12,7 +12,7 @@ mod triangle;
 
 use std::path::Path;
 
-use sweep_cdt_formats::{Format, ReadError};
+use sweep_cdt_formats::{Format, ReadError, Remark};
 
 /// Points and edges that come in pieces: a file, or what a program makes.
 pub trait Input {
@@ -36,6 +36,16 @@ pub trait Input {
     /// # Errors
     /// The input is wrong there, or cannot be read.
     fn next_edges(&mut self, edges: &mut Vec<[u64; 2]>) -> Result<(), ReadError>;
+
+    /// What the input says beside points and edges: it is left out, or decides what they are.
+    fn remarks(&self) -> Vec<Remark> {
+        Vec::new()
+    }
+
+    /// Whether the points have heights, which are left out.
+    fn has_heights(&self) -> bool {
+        false
+    }
 
     /// How many bytes of how many are read.
     fn progress(&self) -> (u64, u64) {

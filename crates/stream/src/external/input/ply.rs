@@ -7,7 +7,7 @@
 use std::path::Path;
 
 use sweep_cdt_formats::ply::Header;
-use sweep_cdt_formats::{ReadError, Source, quoted};
+use sweep_cdt_formats::{ReadError, Remark, Source, quoted};
 
 use crate::external::input::Input;
 use crate::external::input::file::InputFile;
@@ -30,6 +30,8 @@ pub(super) struct Ply {
     begin: (u64, usize),
     /// Whether edges are read, and no points any more.
     is_at_edges: bool,
+    left_out: Vec<Remark>,
+    has_heights: bool,
 }
 
 impl Ply {
@@ -42,6 +44,7 @@ impl Ply {
         let begin = (length as u64, lines);
         let mut elements = Vec::new();
         let mut vertex = None;
+        let mut left_out = Vec::new();
         for element in &header.elements {
             let names = match element.name {
                 b"vertex" if vertex.is_none() => Some([b"x".as_slice(), b"y"]),
@@ -65,6 +68,23 @@ impl Ply {
             if element.name == b"vertex" && pair.is_some() {
                 vertex = Some(elements.len());
             }
+            let name = quoted(element.name);
+            match pair {
+                Some(pair) => {
+                    let others = element.properties.iter().enumerate();
+                    let others = others.filter(|(at, _)| !pair.contains(at));
+                    left_out.extend(others.map(|(_, property)| {
+                        let what = format!("property {} of {name}", quoted(property.name));
+                        Remark::Ignored { count: 1, what }
+                    }));
+                }
+                None if element.count > 0 => {
+                    let what = format!("of the element {name}");
+                    let count = element.count;
+                    left_out.push(Remark::Ignored { count, what });
+                }
+                None => {}
+            }
             let properties = element.properties.iter().map(|property| Property {
                 kind: property.kind,
                 length: property.length,
@@ -83,6 +103,7 @@ impl Ply {
             return Err(file.error("there is no element `vertex`"));
         };
         let [x, y] = elements[vertex].pair.expect("it has x and y");
+        let has_heights = header.elements[vertex].place(&[b"z"]).is_some();
         let kind = |at: usize| elements[vertex].properties[at].kind;
         if kind(x) != kind(y) {
             return Err(file.error("x and y have different types"));
@@ -95,6 +116,8 @@ impl Ply {
             vertex,
             begin,
             is_at_edges: false,
+            left_out,
+            has_heights,
         };
         ply.body.go_to(begin)?;
         Ok(ply)
@@ -171,6 +194,14 @@ impl Input for Ply {
             return self.next_pairs(RECORDS, edges, |piece| piece.index("a vertex's number"));
         }
         self.body.file().check()
+    }
+
+    fn remarks(&self) -> Vec<Remark> {
+        self.left_out.clone()
+    }
+
+    fn has_heights(&self) -> bool {
+        self.has_heights
     }
 
     fn progress(&self) -> (u64, u64) {

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use sweep_cdt_formats::ReadError;
+use sweep_cdt_formats::{ReadError, Remark};
 
 use crate::external::input::Input;
 use crate::external::input::file::{InputFile, PIECE};
@@ -114,6 +114,14 @@ impl Input for WithEdges {
         self.are_points_read = true;
         edges.extend(self.edges.next()?.map(|pair| pair.map(u64::from_le_bytes)));
         Ok(())
+    }
+
+    fn remarks(&self) -> Vec<Remark> {
+        self.points.remarks()
+    }
+
+    fn has_heights(&self) -> bool {
+        self.points.has_heights()
     }
 
     fn progress(&self) -> (u64, u64) {

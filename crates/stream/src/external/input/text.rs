@@ -9,7 +9,9 @@ use std::ops::Range;
 use std::path::Path;
 
 use sweep_cdt::threads::on_all_cores;
-use sweep_cdt_formats::{Format, Input as Whole, ReadError, Source, read};
+use sweep_cdt_formats::{
+    Format, GraphFile, Input as Whole, ReadError, Remark, Source, quoted, read,
+};
 
 use crate::external::input::Input;
 use crate::external::input::file::InputFile;
@@ -32,6 +34,9 @@ pub(super) struct Text {
     /// What is read of the file behind the points that were taken, and how many lines come before that.
     bytes: Vec<u8>,
     lines: usize,
+    /// As far as the first piece shows.
+    left_out: Vec<Remark>,
+    has_heights: bool,
 }
 
 /// How a file begins, up to the first row and with it.
@@ -77,8 +82,23 @@ impl Text {
         bytes.drain(..length);
         begin.points = first.len();
         begin.lines = line_ends(&begin.text);
+        let piece = pieces(&bytes, file.left() == 0).into_iter().next();
+        let shown = begin.file_with(&bytes[piece.unwrap_or(0..0)]);
+        let (mut left_out, mut has_heights) = (Vec::new(), false);
+        // A piece that is wrong is refused where it is taken.
+        if let Ok(shown) = shown {
+            has_heights = shown.heights().is_some();
+            let columns = shown.columns.iter();
+            left_out.extend(columns.map(|column| {
+                let what = format!("column {}", quoted(column.name.as_bytes()));
+                Remark::Ignored { count: 1, what }
+            }));
+            left_out.extend(shown.remarks);
+        }
         Ok(Text {
             file,
+            left_out,
+            has_heights,
             lines: begin.lines,
             begin,
             first,
@@ -154,13 +174,16 @@ impl Text {
 impl Begin {
     /// The points of a piece, as if it followed the begin.
     fn points_with(&self, piece: &[u8]) -> Result<Vec<[f64; 2]>, ReadError> {
+        let mut points = self.file_with(piece)?.graph.points;
+        points.drain(..self.points);
+        Ok(points)
+    }
+
+    /// A piece as a file, as if it followed the begin.
+    fn file_with(&self, piece: &[u8]) -> Result<GraphFile<f64>, ReadError> {
         let source = Source::new(&self.name, [&self.text, piece].concat());
         match read(Format::Csv, &source, None)? {
-            Whole::Doubles(file) => {
-                let mut points = file.graph.points;
-                points.drain(..self.points);
-                Ok(points)
-            }
+            Whole::Doubles(file) => Ok(file),
             Whole::Rationals(_) => Err(ReadError::of_file(
                 &self.name,
                 "there are fractions, which are read only where all points are in memory",
@@ -194,6 +217,14 @@ impl Input for Text {
 
     fn next_edges(&mut self, _edges: &mut Vec<[u64; 2]>) -> Result<(), ReadError> {
         Ok(())
+    }
+
+    fn remarks(&self) -> Vec<Remark> {
+        self.left_out.clone()
+    }
+
+    fn has_heights(&self) -> bool {
+        self.has_heights
     }
 
     fn progress(&self) -> (u64, u64) {
@@ -230,7 +261,8 @@ fn first_row(bytes: &[u8], is_all: bool) -> Option<usize> {
             None => return None,
         };
         let line = bytes[from..end].trim_ascii();
-        let is_comment = line.starts_with(b"#") || line.starts_with(b"\xef\xbb\xbf#");
+        let marked = line.strip_prefix(b"\xef\xbb\xbf").unwrap_or(line);
+        let is_comment = marked.starts_with(b"#") || marked.starts_with(b"//");
         let is_of_excel = line.len() <= 8 && memchr::memmem::find(line, b"sep=").is_some();
         let is_empty = line.iter().all(|byte| b" \t\x0c,;\"".contains(byte));
         if !(is_comment || is_of_excel || is_empty) {

@@ -14,7 +14,7 @@
 
 use std::path::Path;
 
-use sweep_cdt_formats::{ReadError, quoted};
+use sweep_cdt_formats::{ReadError, Remark, quoted};
 
 use crate::external::input::Input;
 use crate::external::input::file::InputFile;
@@ -33,6 +33,8 @@ pub(super) struct Triangle {
     vertex: Records,
     /// Unknown until all vertices are read.
     edge: Option<Records>,
+    /// How many attributes and markers each vertex has.
+    others: [u64; 2],
 }
 
 /// Records of one kind, with consecutive numbers.
@@ -85,12 +87,12 @@ impl Triangle {
     /// Opens a `.node`, or a `.poly` and maybe the `.node` beside it.
     pub(super) fn open(path: &Path, is_poly: bool) -> Result<Triangle, ReadError> {
         let mut vertices = Lines::new(InputFile::open(path)?, 0);
-        let mut count = vertex_count(&mut vertices)?;
+        let (mut count, mut others) = vertex_count(&mut vertices)?;
         let mut edges = None;
         if is_poly && count == 0 {
             let node = InputFile::open(&path.with_extension("node"))?;
             edges = Some(std::mem::replace(&mut vertices, Lines::new(node, 0)));
-            count = vertex_count(&mut vertices)?;
+            (count, others) = vertex_count(&mut vertices)?;
         }
         Ok(Triangle {
             vertices,
@@ -104,6 +106,7 @@ impl Triangle {
                 first: 0,
             },
             edge: None,
+            others,
         })
     }
 
@@ -116,12 +119,15 @@ impl Triangle {
     }
 }
 
-/// The number of vertices in the first line.
-fn vertex_count(lines: &mut Lines) -> Result<u64, ReadError> {
+/// The number of vertices in the first line, and how many attributes and markers each has.
+fn vertex_count(lines: &mut Lines) -> Result<(u64, [u64; 2]), ReadError> {
     let mut line = lines.expect(|| "the number of vertices".to_owned())?;
     let count = index(&mut line, "a number of vertices")?;
     match line.token() {
-        None | Some(b"2") => Ok(count),
+        None | Some(b"2") => {
+            let mut number = || std::str::from_utf8(line.token()?).ok()?.parse().ok();
+            Ok((count, [number().unwrap_or(0), number().unwrap_or(0)]))
+        }
         Some(b"3") => Err(line.error(
             "3 coordinates are announced, and only x and y are read: leave out z and announce 2",
         )),
@@ -203,6 +209,26 @@ impl Input for Triangle {
             };
             Ok([end()?, end()?])
         })
+    }
+
+    fn remarks(&self) -> Vec<Remark> {
+        let [attributes, markers] = self.others.map(|count| usize::try_from(count).unwrap_or(0));
+        [
+            (
+                attributes,
+                "attribute of each vertex",
+                "attributes of each vertex",
+            ),
+            (markers, "marker of each vertex", "markers of each vertex"),
+        ]
+        .into_iter()
+        .filter(|(count, ..)| *count > 0)
+        .map(|(count, one, many)| Remark::ignored(count, one, many))
+        .collect()
+    }
+
+    fn has_heights(&self) -> bool {
+        self.others[0] > 0
     }
 
     fn progress(&self) -> (u64, u64) {

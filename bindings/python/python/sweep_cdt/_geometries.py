@@ -1,0 +1,221 @@
+"""Geometries in every wrapping: of shapely and geopandas, in lists, arrays and columns, and of `__geo_interface__`.
+
+A feature is a geometry by its place in what is handed in; it may have several parts, and parts of parts. An object is
+known by what it has, so that shapely is imported where there are geometries.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Iterable
+from typing import Any
+
+import numpy as np
+
+from . import _native
+from ._errors import Error, KindError
+from ._input import Input
+from ._remarks import Remark
+
+GEOJSON = {"Feature", "FeatureCollection", "GeometryCollection", "LineString", "MultiLineString", "MultiPoint"} | {
+    "MultiPolygon", "Point", "Polygon"
+}  # fmt: skip
+# The name of the column of heights.
+HEIGHT = "z"
+COLLECTIONS = {"MultiPoint", "MultiLineString", "MultiPolygon", "GeometryCollection"}
+
+
+@dataclasses.dataclass
+class Geometries:
+    """Geometries of shapely, `None` where a feature has none, and their coordinate system."""
+
+    features: np.ndarray
+    crs: Any = None
+
+
+def as_geometries(given: Any, name: str = "points") -> Geometries | None:
+    """The geometries that are handed in; `None`, if it is something else."""
+    if _is_of(given, "geopandas"):
+        return _of_geopandas(given, name)
+    if _is_geometry(given):
+        return Geometries(_array([given]))
+    if (document := _document(given)) is not None:
+        return _of_document(document, name)
+    if hasattr(given, "columns") and hasattr(given, "iloc"):
+        # A frame of pandas, of which a column has geometries.
+        return as_geometries(given["geometry"], name) if "geometry" in given.columns else None
+    if hasattr(given, "dtype"):
+        members = np.asarray(given).ravel() if given.dtype == object else ()
+    else:
+        has_members = (
+            isinstance(given, Iterable) and hasattr(given, "__len__") and not isinstance(given, (str, bytes, dict))
+        )
+        members = given if has_members else ()
+    first = next((member for member in members if member is not None), None)
+    if first is None or not (_is_of(first, "geopandas") or _is_geometry(first) or _document(first) is not None):
+        return None
+    return _of_members(members, name)
+
+
+def _is_of(given: Any, library: str) -> bool:
+    """Whether the class, or one that it is made of, is of this library."""
+    return any(kind.__module__.partition(".")[0] == library for kind in type(given).__mro__)
+
+
+def _is_geometry(given: Any) -> bool:
+    return _is_of(given, "shapely") and hasattr(given, "geom_type")
+
+
+def _document(given: Any) -> dict[str, Any] | None:
+    """The GeoJSON that an object is, or says of itself."""
+    document = given if isinstance(given, dict) else getattr(given, "__geo_interface__", None)
+    return document if isinstance(document, dict) and document.get("type") in GEOJSON else None
+
+
+def _of_geopandas(given: Any, name: str) -> Geometries:
+    if hasattr(given, "columns"):
+        try:
+            given = given.geometry
+        except AttributeError:
+            raise KindError(
+                f"{name} is a GeoDataFrame without a column of geometries: set_geometry names one"
+            ) from None
+    return Geometries(np.asarray(given, dtype=object), given.crs)
+
+
+def _of_document(document: dict[str, Any], name: str) -> Geometries:
+    import shapely.geometry
+
+    try:
+        features = document["features"] if document["type"] == "FeatureCollection" else [document]
+        geometries = [feature["geometry"] if feature["type"] == "Feature" else feature for feature in features]
+        found = [None if geometry is None else shapely.geometry.shape(geometry) for geometry in geometries]
+    except (shapely.errors.ShapelyError, ValueError, TypeError, KeyError, AttributeError, IndexError) as error:
+        raise KindError(f"{name} is no right GeoJSON: {type(error).__name__}: {error}") from None
+    # RFC 7946 has no `crs`; programs that are older write one.
+    crs = document.get("crs")
+    name_of_crs = (crs.get("properties") or {}).get("name") if isinstance(crs, dict) else None
+    return Geometries(_array(found), name_of_crs)
+
+
+def _of_members(members: Iterable[Any], name: str) -> Geometries:
+    """Those of each member: a geometry, or an object that has some."""
+    found, systems = [], []
+    for position, member in enumerate(members):
+        if member is None or _is_geometry(member):
+            found.append(_array([member]))
+            continue
+        inner = as_geometries(member, f"{name}[{position}]")
+        if inner is None:
+            raise KindError(
+                f"{name}[{position}] is no geometry but of the type {type(member).__name__}", position=(position,)
+            )
+        found.append(inner.features)
+        systems.append(inner.crs)
+    known = [crs for crs in systems if crs is not None]
+    for crs in known:
+        agree(known[0], crs, name)
+    return Geometries(np.concatenate(found), known[0] if known else None)
+
+
+def agree(one: Any, other: Any, name: str) -> None:
+    """Refuses coordinates of two systems."""
+    if one is not None and other is not None and one != other:
+        raise Error(f"{name} has two coordinate systems, {_named(one)} and {_named(other)}: to_crs makes them one")
+
+
+def _named(crs: Any) -> str:
+    return str(getattr(crs, "srs", crs))
+
+
+def _array(geometries: list[Any]) -> np.ndarray:
+    array = np.empty(len(geometries), dtype=object)
+    array[:] = geometries
+    return array
+
+
+def parts_of(given: Geometries) -> tuple[np.ndarray, np.ndarray]:
+    """The points, lines and polygons that the features are made of, and the feature of each."""
+    import shapely
+
+    of = np.flatnonzero([g is not None for g in given.features])
+    parts = given.features[of]
+    # Collections may hold collections.
+    while any(g.geom_type in COLLECTIONS for g in parts):
+        parts, inner = shapely.get_parts(parts, return_index=True)
+        of = of[inner]
+    return parts, of
+
+
+def as_places(given: Geometries, name: str) -> np.ndarray:
+    """Points as coordinates, NaN where there is none."""
+    import shapely
+
+    places = np.full((len(given.features), 2), np.nan)
+    for position, geometry in enumerate(given.features):
+        if geometry is not None and geometry.geom_type != "Point":
+            raise KindError(f"{name}[{position}] is no point but a {geometry.geom_type}", position=(position,))
+    found, of = shapely.get_coordinates(given.features, return_index=True)
+    places[of] = found
+    return places
+
+
+def rings_of(given: Geometries, name: str) -> tuple[list[list[np.ndarray]], list[int]]:
+    """The rings of each polygon, of x, y and z, without the first place again at the end; and the feature of each."""
+    import shapely
+
+    parts, of = parts_of(given)
+    if any(g.geom_type != "Polygon" for g in parts):
+        raise KindError(f"{name} has geometries that are no polygons: pass these with the points")
+    rings = [[polygon.exterior, *polygon.interiors] for polygon in parts]
+    return [[shapely.get_coordinates(r, include_z=True)[:-1] for r in polygon] for polygon in rings], of.tolist()
+
+
+def of_geometries(given: Geometries) -> Input:
+    """The input of geometries: points, lines as edges, polygons with their holes. Equal positions are one vertex."""
+    import shapely
+
+    parts, of = parts_of(given)
+    kinds = np.array([g.geom_type for g in parts], dtype=object)
+    is_polygon, is_point = kinds == "Polygon", kinds == "Point"
+    is_line = ~(is_polygon | is_point)
+    rings, ring_polygon = shapely.get_rings(parts[is_polygon], return_index=True)
+    # The part of each chain of coordinates: points, then lines, then rings.
+    chains = np.concatenate([parts[is_point], parts[is_line], rings])
+    chain_feature = np.concatenate([of[is_point], of[is_line], of[is_polygon][ring_polygon]])
+    places, chain = shapely.get_coordinates(chains, include_z=True, return_index=True)
+    step = np.flatnonzero(chain[1:] == chain[:-1])
+    edge_ring = np.maximum(chain[step] - (len(chains) - len(rings)), -1)
+    is_hole = np.r_[False, ring_polygon[1:] == ring_polygon[:-1]][: len(ring_polygon)]
+    points, first, vertex = _distinct(places[:, :2])
+    measures = shapely.get_num_coordinates(parts[shapely.has_m(parts)]).sum() if hasattr(shapely, "has_m") else 0
+    heights, remarks = None, _native.ignored(int(measures), "measure", "measures")
+    if shapely.has_z(parts).any():
+        heights, conflicts = gathered(places[:, 2], vertex, len(points), HEIGHT)
+        remarks += conflicts
+    return Input(
+        points,
+        np.ascontiguousarray(vertex[np.stack([step, step + 1], axis=1)].reshape(-1, 2), dtype=np.uintp),
+        list(zip(ring_polygon.tolist(), is_hole.tolist())),
+        edge_ring.astype(np.int64),
+        features=of[is_polygon].tolist(),
+        heights=heights,
+        crs=given.crs,
+        feature_of=(chain_feature[chain[first]], chain_feature[chain[step]]),
+        remarks=remarks,
+    )
+
+
+def gathered(values: np.ndarray, vertices: np.ndarray, count: int, name: str) -> tuple[np.ndarray, list[Remark]]:
+    """The value of each of so many vertices: the first that one of its places has. And the remark on other ones."""
+    vertices = np.ascontiguousarray(vertices, dtype=np.uintp)
+    return _native.gathered(np.ascontiguousarray(values), vertices, count, name)
+
+
+def _distinct(places: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """The distinct ones in the order in which they come, where each comes first, and for each place its number."""
+    _, first, inverse = np.unique(places + 0.0, axis=0, return_index=True, return_inverse=True)
+    order = np.argsort(first, kind="stable")
+    rank = np.empty_like(order)
+    rank[order] = np.arange(len(order))
+    return np.ascontiguousarray(places[first[order]]), first[order], rank[inverse.ravel()]

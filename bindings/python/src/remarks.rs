@@ -1,0 +1,117 @@
+//! What is to say about an input or a result, as objects of `sweep_cdt._remarks`: the sentence of the engine, and its numbers.
+
+use numpy::PyReadonlyArray1;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use sweep_cdt::interior::Interior;
+use sweep_cdt::{Pslg, Triangulation};
+use sweep_cdt_formats::{Column, Coordinate, GraphFile, Polygons, Remark};
+
+use crate::input::Graph;
+
+/// The remark on so many things that are ignored, if there are any, with the name of one and of many.
+#[pyfunction]
+pub(crate) fn ignored(count: usize, one: &str, many: &str) -> Remarks {
+    let remark = (count > 0).then(|| Remark::ignored(count, one, many));
+    Remarks(remark.into_iter().collect())
+}
+
+/// Remarks as Python has them.
+#[derive(Debug, Default)]
+pub(crate) struct Remarks(pub(crate) Vec<Remark>);
+
+impl<'py> IntoPyObject<'py> for Remarks {
+    type Target = PyAny;
+    type Output = Bound<'py, PyAny>;
+    type Error = PyErr;
+
+    fn into_pyobject(self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let class = py.import("sweep_cdt._remarks")?.getattr("Remark")?;
+        let made = self.0.into_iter().map(|remark| {
+            let numbers = numbers(py, &remark)?;
+            let mut words = remark.to_string();
+            if let Some((argument, does)) = remark.setting() {
+                words = format!("{words} (argument {argument}: {does})");
+            }
+            class.call1((remark.name(), words, remark.is_loss(), numbers))
+        });
+        let made = made.collect::<PyResult<Vec<_>>>()?;
+        made.into_pyobject(py)
+    }
+}
+
+/// The numbers of the kinds that inputs from Python have.
+fn numbers<'py>(py: Python<'py>, remark: &Remark) -> PyResult<Bound<'py, PyDict>> {
+    let numbers = PyDict::new(py);
+    match remark {
+        Remark::Ignored { count, .. } => numbers.set_item("count", count)?,
+        Remark::Conflict {
+            column,
+            vertex,
+            values: [kept, other],
+            count,
+        } => {
+            numbers.set_item("column", column)?;
+            numbers.set_item("vertex", vertex)?;
+            numbers.set_item("values", (kept, other))?;
+            numbers.set_item("count", count)?;
+        }
+        Remark::WithoutHeights { missing, vertices } => {
+            numbers.set_item("missing", missing)?;
+            numbers.set_item("vertices", vertices)?;
+        }
+        Remark::CoveredTwice { triangles } => numbers.set_item("triangles", triangles)?,
+        Remark::TracedTwice { edges } | Remark::NothingInside { edges, .. } => {
+            numbers.set_item("edges", edges)?;
+        }
+        _ => {}
+    }
+    Ok(numbers)
+}
+
+/// What the engine says of a triangulation and its interior, unless that is the hull.
+pub(crate) fn of_result<S: Coordinate>(
+    graph: &Graph<'_, S>,
+    heights: Option<&[f64]>,
+    result: &Triangulation,
+    interior: Option<&Interior<'_>>,
+) -> Vec<Remark> {
+    let asks = |domain: &Interior<'_>| domain.is_of_polygons() || domain.inside().len() == 0;
+    if !result.is_empty() && !interior.is_some_and(asks) {
+        // There is nothing to say, so that nothing is copied.
+        return Vec::new();
+    }
+    let heights = heights.map(|heights| Column::heights(heights.to_vec()));
+    let file = GraphFile {
+        columns: heights.into_iter().collect(),
+        polygons: Polygons {
+            rings: graph.rings.clone(),
+            ring_of: graph.ring_of.clone(),
+            ..Polygons::default()
+        },
+        ..Pslg {
+            points: graph.points.to_vec(),
+            edges: graph.edges.to_vec(),
+            holes: graph.holes.to_vec(),
+            ..Pslg::default()
+        }
+        .into()
+    };
+    sweep_cdt_engine::remarks(&file, result, interior)
+}
+
+/// The remark on vertices without a height, if others have one.
+#[pyfunction]
+pub(crate) fn without_heights(heights: PyReadonlyArray1<'_, f64>) -> Remarks {
+    let heights = heights.as_array().to_vec();
+    let file = GraphFile {
+        graph: Pslg {
+            points: vec![[(); 2]; heights.len()],
+            ..Pslg::default()
+        },
+        columns: vec![Column::heights(heights)],
+        ..GraphFile::default()
+    };
+    let remark = sweep_cdt_engine::without_heights(&file);
+    Remarks(remark.into_iter().collect())
+}

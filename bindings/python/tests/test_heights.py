@@ -1,0 +1,190 @@
+"""Heights: z and coordinate systems go through every type of geometry, and values at points are those of fractions."""
+
+import pickle
+from fractions import Fraction
+
+import exact
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from test_given import features_of, parts, wrappings
+from test_properties import NEAR, SMALL
+
+import sweep_cdt
+
+
+def slope(x, y):
+    return 100.0 + 2 * x - 3 * y
+
+
+@given(parts(), st.lists(st.booleans(), min_size=4, max_size=4))
+def test_every_geometry_keeps_its_heights(kinds, with_z):
+    pytest.importorskip("geopandas")
+    import shapely
+
+    high, flat = features_of(shapely, kinds, slope), features_of(shapely, kinds)
+    features = [one if has else other for one, other, has in zip(high, flat, with_z)]
+    if not any(features):
+        return
+    for form in wrappings(shapely, features):
+        result = sweep_cdt.triangulate(form)
+        wanted = slope(*result.points.T)
+        if not any(g is not None and shapely.has_z(g) for g in features):
+            assert result.heights is None
+            continue
+        known = ~np.isnan(result.heights)
+        assert (result.heights[known] == wanted[known]).all()
+        places = shapely.get_coordinates([g for g in features if g is not None and shapely.has_z(g)])
+        assert {tuple(p) for p in result.points[known].tolist()} == {tuple(p) for p in places.tolist()}
+
+
+@given(parts(), st.sampled_from([2056, "EPSG:25832", None]))
+def test_a_coordinate_system_goes_to_the_triangles(kinds, crs):
+    geopandas = pytest.importorskip("geopandas")
+    import shapely
+
+    class Own(geopandas.GeoDataFrame):
+        pass
+
+    series = geopandas.GeoSeries(features_of(shapely, kinds, slope), crs=crs)
+    for form in (
+        series,
+        series.values,
+        geopandas.GeoDataFrame(geometry=series),
+        Own(geometry=series),
+        [series, series[:0]],
+    ):
+        result = sweep_cdt.triangulate(form)
+        assert result.crs == series.crs
+        frame = result.to_geodataframe()
+        assert frame.crs == series.crs and len(frame) == len(result.triangles)
+        assert (frame.geometry.area.sum() == result.area) and frame.has_z.all()
+        if result.region is not None:
+            assert frame.region.tolist() == result.region[result.inside].tolist()
+        again = pickle.loads(pickle.dumps(result))
+        assert again.crs == series.crs and np.array_equal(again.heights, result.heights)
+    for corners, triangle in zip(result.triangles, result.to_shapely().geoms):
+        assert shapely.get_coordinates(triangle, include_z=True)[:3, 2].tolist() == result.heights[corners].tolist()
+
+
+def test_a_document_of_its_time_has_a_coordinate_system():
+    geopandas = pytest.importorskip("geopandas")
+    ring = [[0, 0, 1], [4, 0, 2], [0, 4, 3], [0, 0, 1]]
+    feature = {"type": "Feature", "properties": None, "geometry": {"type": "Polygon", "coordinates": [ring]}}
+    crs = {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::2056"}}
+    result = sweep_cdt.triangulate({"type": "FeatureCollection", "crs": crs, "features": [feature]})
+    assert result.heights.tolist() == [1, 2, 3] and result.to_geodataframe().crs.to_epsg() == 2056
+    place = geopandas.GeoSeries.from_wkt(["POINT (1 1)"], crs=2056)
+    assert result.interpolate(result.heights, place).tolist() == [1.75]
+    for none in (None, {"type": "link"}, {"type": "name", "properties": None}):
+        assert sweep_cdt.triangulate({**feature, "crs": none}).crs is None
+
+
+def test_two_coordinate_systems_are_refused():
+    geopandas = pytest.importorskip("geopandas")
+    import shapely
+
+    one, other = (geopandas.GeoSeries([shapely.box(0, 0, 1, 1)], crs=crs) for crs in (2056, 4326))
+    with pytest.raises(sweep_cdt.Error, match="EPSG:2056 and EPSG:4326"):
+        sweep_cdt.triangulate([one, other])
+    with pytest.raises(sweep_cdt.Error, match="EPSG:2056 and EPSG:4326"):
+        sweep_cdt.triangulate(one).interpolate(np.zeros(4), other.representative_point())
+    assert sweep_cdt.triangulate(one).find_simplex(one.representative_point()).tolist() != [-1]
+    assert sweep_cdt.triangulate(one).find_simplex([shapely.Point(0.5, 0.25)]).tolist() != [-1]
+
+
+def test_equal_places_have_one_height():
+    shapely = pytest.importorskip("shapely")
+    flat, high = shapely.Point(0, 0), shapely.LineString([(0, 0, 7), (4, 0, 1)])
+    result = sweep_cdt.triangulate([flat, high, shapely.Point(0, 4)])
+    assert np.array_equal(result.heights, [7, np.nan, 1], equal_nan=True)
+    polygon = shapely.Polygon([(0, 0, 5), (4, 0, 6), (0, 4, 7)])
+    result = sweep_cdt.triangulate([[0, 0], [9, 9]], polygons=polygon)
+    assert result.duplicates.tolist() == [[2, 0]]
+    assert np.array_equal(result.heights, [5, np.nan, 5, 6, 7], equal_nan=True)
+
+
+def test_split_edges_have_the_heights_of_the_first():
+    shapely = pytest.importorskip("shapely")
+    lines = [shapely.LineString([(0, 0, 0), (4, 4, 8)]), shapely.LineString([(0, 4, 2), (4, 0, 6)])]
+    result = sweep_cdt.triangulate(lines, split_crossings=True)
+    assert result.points[4].tolist() == [2, 2] and result.heights.tolist() == [0, 8, 2, 6, 4]
+    assert pickle.loads(pickle.dumps(result)).heights.tolist() == [0, 8, 2, 6, 4]
+    assert sweep_cdt.split(lines).heights.tolist() == [0, 8, 2, 6, 4]
+
+
+def test_a_dictionary_of_triangle_has_heights():
+    given = {"vertices": [[0, 0], [4, 0], [0, 4]], "vertex_attributes": [[1, 9], [2, 9], [3, 9]]}
+    result = sweep_cdt.triangulate(given)
+    assert result.heights.tolist() == [1, 2, 3]
+    assert result.to_triangle()["vertex_attributes"].tolist() == [[1], [2], [3]]
+    with pytest.raises(sweep_cdt.ShapeError, match="vertex_attributes"):
+        sweep_cdt.triangulate({**given, "vertex_attributes": [[1]]})
+    assert sweep_cdt.triangulate({**given, "vertex_attributes": np.empty((3, 0))}).heights is None
+
+
+def values_in_fractions(points, simplices, values, place):
+    """All values that triangles which hold a place have there: one, if there are any."""
+    x, y = map(Fraction, place)
+    found = set()
+    for corners in simplices:
+        (ax, ay), (bx, by), (cx, cy) = ([Fraction(c) for c in points[v]] for v in corners)
+        area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
+        b = ((x - ax) * (cy - ay) - (y - ay) * (cx - ax)) / area
+        c = ((bx - ax) * (y - ay) - (by - ay) * (x - ax)) / area
+        if min(b, c, 1 - b - c) >= 0:
+            weights = zip((1 - b - c, b, c), corners)
+            found.add(sum(weight * Fraction(values[v]) for weight, v in weights))
+    return found
+
+
+HEIGHTS = st.one_of(st.integers(-1000, 1000).map(float), st.floats(-1e6, 1e6))
+SHARES = st.sampled_from(
+    [Fraction(0), Fraction(1, 2), Fraction(1, 4), Fraction(3, 8), Fraction(1, 3), Fraction(10**9 - 1, 10**9)]
+)
+
+
+def judged_values(points, values, shares, convert):
+    """Compares values at corners, on sides and within triangles with those of fractions, to 1e-11 of their range."""
+    result = sweep_cdt.triangulate(points)
+    simplices = result.simplices.tolist()
+    places = [list(p) for p in points]
+    for a, b, c in simplices:
+        for u, v in shares:
+            corners = [[Fraction(x) for x in points[n]] for n in (a, b, c)]
+            weights = (1 - u, u * (1 - v), u * v)
+            places.append([convert(sum(w * p[axis] for w, p in zip(weights, corners))) for axis in (0, 1)])
+    found = result.interpolate(values, places)
+    # Equal points have the first value.
+    shared = list(values)
+    for v, first in result.duplicates.tolist():
+        shared[v] = shared[first]
+    used = [shared[v] for corners in simplices for v in corners] or [0.0]
+    for place, value in zip(places, found.tolist()):
+        wanted = values_in_fractions(points, simplices, shared, place)
+        assert len(wanted) <= 1
+        if not wanted:
+            assert np.isnan(value)
+            continue
+        (height,) = wanted
+        assert abs(Fraction(value) - height) <= Fraction(max(used) - min(used)) / 10**11 + abs(height) / 2**52
+
+
+@pytest.mark.parametrize("convert", [float, Fraction])
+@pytest.mark.parametrize("coordinate", [NEAR, SMALL, st.floats(-1e3, 1e3)])
+@given(data=st.data())
+def test_values_are_those_of_fractions(coordinate, convert, data):
+    points = data.draw(st.lists(st.tuples(coordinate, coordinate), min_size=3, max_size=7))
+    values = data.draw(st.lists(HEIGHTS, min_size=len(points), max_size=len(points)))
+    judged_values(points, values, data.draw(st.lists(st.tuples(SHARES, SHARES), max_size=3)), convert)
+
+
+def test_values_at_all_corners_and_sides_of_a_polygon_with_holes():
+    outline, hole = [[0, 0], [9, 0], [5, 4], [9, 9], [0, 9]], [[1, 1], [1, 6], [3, 3]]
+    result = sweep_cdt.triangulate([], polygons=[[outline, hole]])
+    values = slope(*result.points.T)
+    sides = np.concatenate([np.stack([c, np.roll(c, -1)], axis=1) for c in result.boundary()])
+    places = np.concatenate([result.points, result.points[sides].mean(axis=1)])
+    assert result.interpolate(values, places).tolist() == slope(*places.T).tolist()
+    assert exact.turn(*exact.integers(hole)) < 0 and np.isnan(result.interpolate(values, [np.mean(hole, axis=0)])).all()

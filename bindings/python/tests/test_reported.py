@@ -1,0 +1,151 @@
+"""Inputs of public reports on other programs, each with the result that its reporter wants.
+
+They were made anew with the same geometry or form.
+"""
+
+import pickle
+
+import numpy as np
+import pytest
+
+import sweep_cdt
+
+SQUARE = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]]
+NAN = float("nan")
+
+
+def test_corners_and_sides_of_a_star():
+    """scipy#9737, PDAL#4155, observablehq/plot#2035: NaN at the corners and on the sides of a polygon."""
+    shapely = pytest.importorskip("shapely")
+    arm = [(3.0, 0.0), (7.375, 3.0625), (2.125, 2.125), (3.0625, 7.375)]
+    turned = lambda p, k: [p, (-p[1], p[0]), (-p[0], -p[1]), (p[1], -p[0])][k]
+    outline = [turned(p, k) for k in range(4) for p in arm]
+    star = shapely.Polygon([(x, y, 10.0 + v) for v, (x, y) in enumerate(outline)])
+    result = sweep_cdt.triangulate([star])
+    assert result.interpolate(result.heights, result.points).tolist() == result.heights.tolist()
+    middles = [(values + np.roll(values, -1, axis=0)) / 2 for values in (result.points, result.heights)]
+    assert result.interpolate(result.heights, middles[0]).tolist() == middles[1].tolist()
+
+
+def test_values_of_a_needle_at_its_own_points():
+    """scipy#9737, Stoeoef/spade#124, CesiumGS/cesium#9175: points that are nearly on a line."""
+    points = [
+        [151222.42204363, 26485.646681210004],
+        [151223.51948470186, 26486.01249490062],
+        [151329.030055822, 26521.182685273998],
+        [151350.89366048513, 26528.470553495048],
+        [151584.05696185713, 26606.191653952377],
+        [151766.44948816442, 26666.98916272147],
+    ]
+    result = sweep_cdt.triangulate(points)
+    assert (result.find_simplex(points) >= 0).all()
+    assert result.interpolate([0, 10, 20, 30, 40, 50], points).tolist() == [0, 10, 20, 30, 40, 50]
+
+
+def test_equal_points_and_missing_neighbours():
+    """hugoledoux/startinpy#16: the first of two equal points has no height; a triangle beside has a gap."""
+    double = sweep_cdt.triangulate([[0, 0], [0, 0], [4, 0], [0, 4]])
+    assert double.interpolate([NAN, 5, 5, 5], [[0, 0]]).tolist() == [5]
+    gap = sweep_cdt.triangulate([*SQUARE, [9, 9]])
+    assert gap.interpolate([1, 1, 1, 1, NAN], [[4, 4], [2, 4]]).tolist() == [1, 1]
+
+
+def test_x_and_y_as_scipy_has_them():
+    """The call of SciPy's interpolators: a tuple of x and y is no list of two points."""
+    x, y = np.array([1.0, 2.0]), np.array([0.5, 1.0])
+    result = sweep_cdt.triangulate([[0, 0], [4, 0], [0, 4]])
+    assert result.interpolate([0, 4, 8], (x, y)).tolist() == [2, 4]
+    interpolate = pytest.importorskip("scipy.interpolate")
+    theirs = interpolate.LinearNDInterpolator(result.points, [0, 4, 8])
+    assert theirs((x, y)).tolist() == theirs(x, y).tolist() == [2, 4]
+    grid = np.meshgrid([0, 1, 2], [0, 1])
+    assert result.interpolate([0, 4, 8], tuple(grid)).tolist() == theirs(*grid).tolist()
+    with pytest.raises(sweep_cdt.ShapeError, match="x has the shape"):
+        result.interpolate([0, 4, 8], ([0, 1], [0, 1, 2]))
+
+
+def test_masked_arrays():
+    """Open-MSS/MSS#811, SciTools/iris#58: masked arrays as of netCDF4. Their fill values count for nothing."""
+    heights = np.ma.masked_values([10.0, 10.0, 10.0, 10.0, -9999.0], -9999.0)
+    hill = sweep_cdt.triangulate([*SQUARE, [2.0, 2.0]])
+    assert np.isnan(hill.interpolate(heights, [[2, 1]])).all()
+    assert hill.interpolate(heights, [[2, 0]]).tolist() == [10]
+    with pytest.raises(sweep_cdt.KindError, match=r"points\[4, 0\] is masked"):
+        sweep_cdt.triangulate(np.ma.masked_values([*SQUARE, [-999.0, -999.0]], -999.0))
+    with pytest.raises(sweep_cdt.KindError, match=r"edges\[1, 0\] is masked"):
+        sweep_cdt.triangulate(SQUARE, np.ma.masked_array([[0, 1], [2, 3]], mask=[[0, 0], [1, 1]]))
+    with pytest.raises(sweep_cdt.KindError, match=r"simplices\[1, 0\] is masked"):
+        sweep_cdt.verify(SQUARE, np.ma.masked_array([[0, 1, 2], [0, 2, 3]], mask=[[0] * 3, [1] * 3]))
+    far = sweep_cdt.triangulate([*SQUARE, [1e6, 1e6]])
+    value = far.interpolate(np.ma.array([0, 0, 0, 0, 1e9], mask=[0, 0, 0, 0, 1]), [[3e5, 3e5]])
+    assert np.isnan(value).all()
+
+
+def test_lines_of_three_dimensions():
+    """qgis/QGIS#27048, jblindsay/whitebox-tools#180, shapely#1844: heights of lines are dropped."""
+    shapely = pytest.importorskip("shapely")
+    lines = [[(0, 0, 10), (10, 0, 10), (10, 10, 10)], [(2, 3, 20), (6, 3, 20), (6, 8, 20)]]
+    result = sweep_cdt.triangulate([shapely.LineString(line) for line in lines])
+    assert result.heights.tolist() == [10, 10, 10, 20, 20, 20]
+    with pytest.raises(sweep_cdt.ShapeError, match=r"pass points\[:, :2\]"):
+        sweep_cdt.triangulate(np.array(lines[0]))
+
+
+def test_forms_of_geopandas():
+    """modflowpy/flopy#2085, geopandas#193 and #1137: arrays, subclasses, and frames without geometries."""
+    geopandas = pytest.importorskip("geopandas")
+    import shapely
+
+    square, other = shapely.box(0, 0, 2, 2), shapely.MultiPolygon([shapely.box(5, 0, 6, 1)])
+    series = geopandas.GeoSeries([square, None, shapely.Polygon(), other])
+    for form in (series, series.values, series.to_numpy(), series.tolist(), (g for g in series.dropna())):
+        assert sweep_cdt.triangulate(form).area == 5
+    assert sweep_cdt.triangulate(other.geoms).area == 1
+    with pytest.raises(sweep_cdt.KindError, match="without a column of geometries"):
+        sweep_cdt.triangulate(geopandas.GeoDataFrame({"a": [1]}))
+
+
+def test_nullable_columns():
+    """holoviz/holoviews#6142: doubles in columns that can hold NA are doubles, and positions are positions."""
+    pandas = pytest.importorskip("pandas")
+    plain = pandas.DataFrame(np.random.default_rng(0).random((1000, 2)), columns=["x", "y"])
+    one, other = sweep_cdt.triangulate(plain), sweep_cdt.triangulate(plain.astype("Float64"))
+    assert other.points.dtype == float and (one.simplices == other.simplices).all()
+    edges = pandas.DataFrame({"a": [0], "b": [1]}).convert_dtypes()
+    assert sweep_cdt.triangulate(SQUARE, edges).edges.tolist() == [[0, 1]]
+
+
+def test_all_results_go_to_another_process():
+    """startinpy#17, isl-org/Open3D#218: what cannot be pickled."""
+    crossing = [[0, 2], [1, 3]]
+    split, crossings = sweep_cdt.split(SQUARE, crossing), sweep_cdt.crossings(SQUARE, crossing)
+    cloud = np.random.default_rng(5).random((30, 2))
+    trace, report = sweep_cdt.trace(cloud, heuristics="off"), sweep_cdt.verify(SQUARE, [[0, 1, 2], [0, 2, 3]])
+    result = sweep_cdt.triangulate(SQUARE, [[0, 2]])
+    for thing in (split, crossings, trace, trace.show(), report, result, sweep_cdt.measure(SQUARE)):
+        again = pickle.loads(pickle.dumps(thing))
+        assert type(again) is type(thing) and repr(again) == repr(thing)
+    assert pickle.loads(pickle.dumps(crossings)).exact(0) == (2, 2)
+    assert list(pickle.loads(pickle.dumps(trace))) == list(trace) != list(sweep_cdt.trace(cloud))
+    assert pickle.loads(pickle.dumps(split)).edges.tolist() == split.edges.tolist()
+    assert str(pickle.loads(pickle.dumps(report))) == str(report)
+
+
+def test_a_result_of_three_decimals():
+    """What `%.3f` writes of a cloud: the vertex that is farthest off, and the least tolerance, as of the command."""
+    meshio = pytest.importorskip("meshio")
+    points = np.array(
+        [
+            [269.0821757359716, 171.63543490666922],
+            [184.53361989768914, 187.24838279394118],
+            [493.7224950932333, 316.37813630357306],
+            [337.1619652522468, 164.98172769272918],
+            [339.95883058201116, 61.48618744359502],
+        ]
+    )
+    triangles = sweep_cdt.triangulate(points).simplices
+    rounded = meshio.Mesh(points.round(3), [("triangle", triangles)])
+    with pytest.raises(sweep_cdt.MatchError, match="vertex 4 of the result.*tolerance=0.0005 accepts it") as caught:
+        sweep_cdt.verify(points, rounded)
+    assert caught.value.vertex == caught.value.nearest == 4
+    assert sweep_cdt.verify(points, rounded, tolerance=0.0005)
