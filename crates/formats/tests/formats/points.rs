@@ -101,6 +101,11 @@ fn columns_without_names_are_x_y_z_and_others() {
     let text = ",x,y,a,A,a\n0,1.5,2,1,2,3\n1,-3,4e2,1,2,3";
     let expected = "column1[0.0, 1.0] a[1.0, 1.0] A[2.0, 2.0] a_2[3.0, 3.0]";
     assert_eq!(table(text), (TWO.to_vec(), expected.to_owned()));
+    // The last column without a name, and a separator at the end of each row.
+    let text = "x,y,\"\"\n1.5,2,7\n-3,4e2,8";
+    let expected = "column3[7.0, 8.0]";
+    assert_eq!(table(text), (TWO.to_vec(), expected.to_owned()));
+    assert_eq!(table("x,y,\n1.5,2,\n-3,4e2"), (TWO.to_vec(), String::new()));
 }
 
 #[test]

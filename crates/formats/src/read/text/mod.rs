@@ -148,7 +148,7 @@ struct Header {
 impl Header {
     /// The header that a row is, if it names x and y.
     fn of(fields: &[&[u8]]) -> Result<Option<Header>, String> {
-        let mut names: Vec<String> = fields.iter().map(|name| text(name)).collect();
+        let names: Vec<String> = fields.iter().map(|name| text(name)).collect();
         // The columns with the best of these names.
         let places = |known: &[&str]| {
             let ranks = names.iter().map(|name| rank(known, name));
@@ -163,8 +163,6 @@ impl Header {
         };
         let [x, y] = [only(&x, "x", &names)?, only(&y, "y", &names)?];
         let heights = places(&HEIGHTS);
-        let end = fields.iter().rposition(|field| !field.is_empty());
-        names.truncate(end.map_or(0, |end| end + 1));
         Ok(Some(Header {
             names,
             x,
@@ -437,8 +435,10 @@ impl<'a> Table<'a> {
         let mut fields: Vec<Field<'a>> = Vec::new();
         for (at, (name, pieces)) in header.names.into_iter().zip(self.columns).enumerate() {
             let has_numbers = |pieces: &Vec<&[u8]>| pieces.iter().any(|piece| !piece.is_empty());
+            // Many programs end each row with a separator.
+            let is_nothing = name.is_empty() && pieces.is_some();
             let Some(pieces) = pieces.filter(has_numbers) else {
-                if at != header.x && at != header.y {
+                if at != header.x && at != header.y && !is_nothing {
                     remarks.ignore_named(1, ["column", "columns"], name.as_bytes());
                 }
                 continue;
