@@ -17,6 +17,7 @@ mod outputs;
 mod places;
 mod record;
 mod refuted;
+mod remarks;
 mod replay;
 mod reported;
 mod reports;
@@ -128,7 +129,7 @@ fn without_losses(stderr: &[u8]) -> String {
 fn printed_without_triangles(output: &Output) -> &str {
     let note = text(&output.stderr);
     assert!(
-        note.starts_with("note: no triangles") && note.lines().count() == 1,
+        note.starts_with("note: ") && note.contains(": no triangles") && note.lines().count() == 1,
         "{note}"
     );
     assert_eq!(output.status.code(), Some(0));

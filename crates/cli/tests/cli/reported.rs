@@ -154,7 +154,7 @@ fn files_are_refused_or_explained_by_what_they_are() {
         ("y_up.obj", "perhaps y is up in this file"),
         (
             "ngon_face.obj",
-            "ignored: 1 face (--faces takes them for polygons)",
+            "ignored: 1 face; the hull of the vertices is triangulated (--faces takes them for polygons)",
         ),
         (
             "ngon_face.obj --inside even-odd",
@@ -280,7 +280,8 @@ fn what_is_ignored_or_not_written_is_said_or_refused() {
         ),
         (
             "c.obj",
-            "note: c.obj: ignored: 1 line of `vn`, 1 face (--faces takes them for polygons)\n",
+            "note: c.obj: ignored: 1 line of `vn`\n\
+             note: c.obj: ignored: 1 face; the hull of the vertices is triangulated (--faces takes them for polygons)\n",
         ),
         (
             "d.wkt -o d.stl",
@@ -364,6 +365,6 @@ fn polygons_that_overlap_are_said_to() {
     )]);
     assert_eq!(
         text(&run(&folder, "two.wkt").stderr),
-        "note: polygons overlap: 2 triangles are covered more than once, and have the first feature that does\n"
+        "note: two.wkt: polygons overlap: 2 triangles are covered more than once, and have the first feature that does\n"
     );
 }

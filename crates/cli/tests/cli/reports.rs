@@ -24,29 +24,30 @@ fn a_result_without_triangles_says_why() {
         assert!(output.status.success(), "{arguments}");
         text(&output.stderr).to_owned()
     };
-    let line = "note: no triangles: all points lie on one line";
+    let line = |file: &str| format!("note: {file}: no triangles: all points lie on one line");
     let conflict = "note: y_up.obj: vertex 2 at (1, 0) has two numbers for z, 1 and -1: 1 counts";
     assert_eq!(
         note("triangulate y_up.obj"),
         format!(
-            "{conflict}\n{line} (y is the same everywhere and z is not: perhaps y is up in this file)\n"
+            "{conflict}\n{} (y is the same everywhere and z is not: perhaps y is up in this file)\n",
+            line("y_up.obj")
         )
     );
     assert_eq!(
         note("triangulate line.json -o line.ele"),
-        format!("{line}\n")
+        line("line.json") + "\n"
     );
     assert_eq!(
         note("triangulate one.json"),
-        "note: no triangles: all points are one\n"
+        "note: one.json: no triangles: all points are one\n"
     );
     assert_eq!(
         note("triangulate none.json"),
-        "note: no triangles: there are no points\n"
+        "note: none.json: no triangles: there are no points\n"
     );
     assert_eq!(
         note("triangulate open.json --inside even-odd -o open.ele"),
-        "note: no triangles are inside: there are no edges\n"
+        "note: open.json: no triangles are inside: there are no edges\n"
     );
     assert_eq!(note("triangulate right.json --inside even-odd"), "");
 }
@@ -67,7 +68,7 @@ fn vertices_without_a_height_are_counted() {
             text(&output.stderr).to_owned(),
         )
     };
-    let note = "note: 2 of 5 vertices have no height: z is `NaN` there, or left out in .geojson, which some programs read as 0\n";
+    let note = "note: soft.json: 2 of 5 vertices have no height: z is `NaN` there, or left out in .geojson, which some programs read as 0\n";
     for format in ["obj", "off", "ply", "vtk", "vtu", "vtp", "msh", "stl"] {
         let (written, notes) = noted(format);
         assert_eq!(notes, note, "{format}");

@@ -49,7 +49,12 @@ fn contour_lines_are_read_again() {
     let folder = folder(&[]);
     let contours = |arguments: &str| {
         let output = sweep_cdt(&folder, &format!("contours {arguments}")).output();
-        printed(&output.expect("the command starts")).to_owned()
+        let output = output.expect("the command starts");
+        // Of the rounded lines two meet in one place, which the second run says.
+        let others = text(&output.stderr).lines();
+        let mut others = others.filter(|line| !line.contains(" has two numbers for z, "));
+        assert_eq!(others.next(), None);
+        text(&output.stdout).to_owned()
     };
     // The shipped lines are 20 m apart from 309.37 m on.
     let summary = contours(&format!("{CONTOURS} --every 20 --from 319.37 -o a.geojson"));
@@ -85,7 +90,7 @@ fn points_get_the_heights_of_the_terrain() {
         written,
         "5 2 1 0\n1 2 1 5\n2 2 2 10\n3 1 1 5\n4 0 0 0\n5 9 9 NaN\n"
     );
-    let words = "1 of 5 points of b.node have no height: they are on no triangle that has three";
+    let words = "b.node: 1 of 5 points have no height: they are on no triangle that has three";
     assert_eq!(note, format!("note: {words}\n"));
     let [written, _] = heights("--at c.json");
     // 2/3 of the way up a slope of 10 in 2.
@@ -147,7 +152,7 @@ fn triangles_without_heights_are_left_out_and_said() {
     let folder = folder(&[("a.poly", GAP), ("b.node", "1 2 0 0\n0 5 2\n")]);
     let output = sweep_cdt(&folder, "contours a.poly --every 4").output();
     let output = output.expect("the command starts");
-    let note = "note: 1 of 5 triangles have a corner without a height, and are left out\n";
+    let note = "note: a.poly: 1 of 5 triangles have a corner without a height, and are left out\n";
     assert_eq!(text(&output.stderr), note);
     let summary = "a.poly: heights 0 to 10, levels 3, lines 2, closed 2\n";
     assert_eq!(text(&output.stdout), summary);

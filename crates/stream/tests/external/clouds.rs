@@ -96,6 +96,32 @@ fn clouds_are_read() {
     }
 }
 
+/// libLAS#48 and entwine#35: headers that were never completed. A header of 1.2 has the number of points at 107, and
+/// the scales of x and y at 131 and 139.
+#[test]
+fn headers_that_promise_nothing_are_said() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("a.las");
+    let (_, right) = &small()[0];
+    for (place, length, what) in [
+        (107, 4, Some("that there are 0 points, and ")),
+        (131, 8, Some("that the scale of x is 0")),
+        (139, 8, Some("that the scale of y is 0")),
+        (0, 0, None),
+    ] {
+        let mut bytes = right.clone();
+        bytes[place..place + length].fill(0);
+        fs::write(&path, &bytes).expect("a file");
+        let input = open(&path, Format::Las, None).expect("a file");
+        assert!(input.has_heights());
+        let remarks = input.remarks();
+        let said = remarks.iter().find(|remark| remark.name() == "promise");
+        assert_eq!(said.is_some(), what.is_some(), "{remarks:?}");
+        let said = said.map(ToString::to_string).unwrap_or_default();
+        assert!(said.contains(what.unwrap_or_default()), "{said}");
+    }
+}
+
 #[test]
 fn layers_are_read_and_their_sizes_checked() {
     let folder = tempfile::tempdir().expect("a folder");

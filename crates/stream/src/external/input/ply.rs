@@ -79,9 +79,9 @@ impl Ply {
                     }));
                 }
                 None if element.count > 0 => {
-                    let what = format!("of the element {name}");
-                    let count = element.count;
-                    left_out.push(Remark::Ignored { count, what });
+                    let [one, many] =
+                        ["record", "records"].map(|what| format!("{what} of the element {name}"));
+                    left_out.push(Remark::ignored(element.count, &one, &many));
                 }
                 None => {}
             }

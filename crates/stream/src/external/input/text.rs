@@ -93,7 +93,10 @@ impl Text {
                 let what = format!("column {}", quoted(column.name.as_bytes()));
                 Remark::Ignored { count: 1, what }
             }));
-            left_out.extend(shown.remarks);
+            // A piece has fewer points than the file.
+            let is_of_all = |remark: &Remark| matches!(remark, Remark::Promise { .. });
+            let others = shown.remarks.into_iter();
+            left_out.extend(others.filter(|remark| !is_of_all(remark)));
         }
         Ok(Text {
             file,
