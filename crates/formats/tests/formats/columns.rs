@@ -99,7 +99,7 @@ fn columns_that_are_not_there_are_refused() {
         ),
     ] {
         let text = table([0, 1, 2, 3], Some(""), ",");
-        let source = Source::new("a", text).columns(chosen);
+        let source = Source::new("a", text).columns(chosen.iter().copied());
         let error = read(Format::Csv, &source, None).expect_err("no column");
         assert_eq!(error.message, message);
         assert_eq!(error.kind, ReadErrorKind::UnknownColumns);

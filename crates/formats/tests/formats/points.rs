@@ -145,7 +145,11 @@ fn wrong_rows_are_named() {
     assert_refused("sep=,\nx,y\n1,2\n3\n", "file:4: y is missing");
     assert_refused("1,2\n# no\nNaN,3", "file:3: x is missing");
     assert_refused("x,y\n1,2\n1,two\n", "file:3: `two` is not a coordinate");
-    assert_refused("P1,5,2\nP2,1,7\n", "file:1: `P1` is not a coordinate");
+    assert_refused(
+        "P1,5,2\nP2,1,7\n",
+        "file:1: the columns `P1`, `5`, `2` have no names, and the first is no number: put names in the first row, x and \
+         y among them",
+    );
     assert_refused(
         "x,y\n1,1e999\n",
         "file:2: `1e999` is too large for a double",

@@ -118,8 +118,21 @@ fn geojson_is_known_by_its_type() {
     // With a list of points it is our own.
     let own = "{\"type\": \"Point\", \"points\": [[1, 2]]}";
     assert_eq!(size(Format::Json, own), [1, 0]);
-    let other = refusal(Format::Json, "{\"type\": \"Topology\"}");
+    let other = refusal(Format::Json, "{\"type\": \"Topologies\"}");
     assert_eq!(other, "file:1:1: the object has no `points`");
+    let forms = [
+        ("{\"type\": \"Topology\"}", "TopoJSON"),
+        (
+            "{\"geometryType\": \"esriGeometryPoint\", \"features\": []}",
+            "Esri's JSON",
+        ),
+    ];
+    for (text, form) in forms {
+        for format in [Format::Json, Format::Geojson] {
+            let words = format!("file: this is {form}, which is not read: ");
+            assert!(refusal(format, text).starts_with(&words), "{text}");
+        }
+    }
 }
 
 /// `PostGIS` writes curves; Gmsh wrote version 1.
