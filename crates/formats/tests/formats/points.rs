@@ -165,6 +165,7 @@ fn wrong_rows_are_named() {
     let one = "file:1: the first row has one field: x and y must stand in two, with a comma, a semicolon, a tab or blanks \
                between them";
     assert_refused("points\n1 2\n", one);
+    assert_refused("7.5\n1 2\n", one);
     assert_refused("\nx\n1\n2\n", &one.replace(":1:", ":2:"));
     assert_refused(
         "id,name,x\n1,oak,3\n",
