@@ -317,3 +317,112 @@ fn the_filter_of_bounds_is_right() {
         }
     }
 }
+
+/// A place of one of eight kinds: few places, so that many are equal, on lines and on circles; and far from each other.
+fn place(kind: usize, random: &mut Random) -> [f64; 2] {
+    let mut below = |n: usize| random.below(n) as f64;
+    match kind {
+        0 => [below(6), below(6)],
+        1 => [below(40), below(3)],
+        2 => {
+            let i = below(12);
+            [2.0 * i, 3.0 * i + (below(6) / 5.0).floor()]
+        }
+        3 | 4 => {
+            let (angle, radius) = (below(360).to_radians(), 1.0 + below(kind - 2));
+            [radius * angle.cos(), radius * angle.sin()]
+        }
+        5 => [below(1 << 20) / 977.0, below(1 << 20) / 977.0],
+        6 => [1000.0 * below(2) + below(5) / 3.0, below(5) / 7.0],
+        _ => {
+            let size = (below(40) - 20.0).exp2();
+            [below(9) * size, below(9) * size]
+        }
+    }
+}
+
+#[test]
+fn random_inputs_keep_bounds_and_area() {
+    let mut random = Random::new(3);
+    for case in 0..400 {
+        let n = 3 + random.below(25);
+        let points: Vec<[f64; 2]> = (0..n).map(|_| place(case % 8, &mut random)).collect();
+        let mut edges: Vec<[usize; 2]> = Vec::new();
+        for _ in 0..random.below(12) {
+            edges.push([random.below(n), random.below(n)]);
+            if triangulate(&points, &edges).is_err() {
+                edges.pop();
+            }
+        }
+        let result = triangulate(&points, &edges).expect("edges that do not cross");
+        let inside = Interior::whole(&result);
+        let bounds = Bounds {
+            least_angle: (!random.one_in(5)).then(|| random.below(34) as f64),
+            greatest_area: random
+                .one_in(4)
+                .then(|| (1 + random.below(20)) as f64 / 4.0),
+            greatest_side: random.one_in(6).then(|| 1.0 + random.below(20) as f64),
+        };
+        let most = n + random.below(400);
+        let mut refinement = Refinement::new(bounds).most_points(most);
+        if random.one_in(5) {
+            refinement = refinement.keep_boundary();
+        }
+        let name = format!("case {case}: {points:?} {edges:?} {bounds:?} {most}");
+        let mesh = refinement.run(&points, &edges, &inside).expect(&name);
+        assert_mesh(&points, &edges, bounds, &mesh, &name);
+        assert!(mesh.points.len() <= most.max(n), "{name}");
+        let exact = |points: &[[f64; 2]]| -> Vec<[BigRational; 2]> {
+            let exactly = |point: &[f64; 2]| point.map(|x| x.to_fraction());
+            points.iter().map(exactly).collect()
+        };
+        let before = area(&exact(&points), result.triangles());
+        let after = area(&exact(&mesh.points), mesh.triangles.iter().copied());
+        // Rounded points bend the hull.
+        let size = points
+            .iter()
+            .flatten()
+            .fold(0.0_f64, |size, x| size.max(x.abs()));
+        let bent = f64::nearest(&(before - after)).abs();
+        assert!(bent <= 1e-12 * size * size, "{name}: {bent}");
+    }
+}
+
+/// All points on one line: edges have parts, and there is nothing to refine.
+#[test]
+fn points_on_one_line_are_returned() {
+    let points = [[0.0, 0.0], [4.0, 4.0], [2.0, 2.0]];
+    let result = triangulate(&points, &[[0, 1]]).expect("one edge");
+    let mesh = Refinement::new(angle(20.0)).run(&points, &[[0, 1]], &Interior::whole(&result));
+    let mesh = mesh.expect("a line");
+    assert_eq!((mesh.edges, mesh.triangles), (vec![[0, 2], [2, 1]], vec![]));
+}
+
+/// A part that may not be split had free vertices over it removed and inserted again, without end.
+#[test]
+fn parts_that_stay_whole_remove_nothing() {
+    let points = [
+        [11, 0],
+        [28, 2],
+        [36, 2],
+        [30, 2],
+        [28, 1],
+        [11, 1],
+        [32, 0],
+        [24, 2],
+        [20, 2],
+        [38, 1],
+        [14, 2],
+    ];
+    let points = points.map(|point| point.map(f64::from));
+    let edges = [[1, 10], [3, 6], [1, 0], [9, 2]];
+    let result = triangulate(&points, &edges).expect("edges that do not cross");
+    let bounds = Bounds {
+        least_angle: Some(25.0),
+        greatest_area: Some(3.75),
+        greatest_side: Some(1.0),
+    };
+    let refinement = Refinement::new(bounds).most_points(281);
+    let mesh = refinement.run(&points, &edges, &Interior::whole(&result));
+    assert!(mesh.expect("a limit").points.len() <= 281);
+}

@@ -9,8 +9,7 @@ use sweep_cdt::scalar::{in_circle, orient2d};
 use crate::bounds::Broken;
 use crate::mesh::{next, prev};
 use crate::refine::Reason;
-use crate::refine::parts::Kind;
-use crate::refine::work::{Bad, Work};
+use crate::refine::work::{Bad, Kind, Work};
 
 /// What becomes of a triangle that breaks a bound.
 pub(super) enum Candidate<S> {

@@ -7,12 +7,7 @@
 use sweep_cdt::crossings::Exact;
 
 use crate::mesh::NONE;
-use crate::refine::work::Work;
-
-/// The label of triangles outside; those inside have 1, or 2 more than the number of their region.
-pub(super) const OUTSIDE: u32 = 0;
-/// No label yet.
-pub(super) const UNKNOWN: u32 = u32::MAX;
+use crate::refine::work::{OUTSIDE, UNKNOWN, Work};
 
 impl<S: Exact> Work<'_, '_, S> {
     /// Labels what the last edit swept; returns its triangles inside.

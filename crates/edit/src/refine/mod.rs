@@ -23,6 +23,8 @@
 mod candidate;
 mod labels;
 mod parts;
+mod refined;
+mod rounds;
 mod work;
 
 use std::fmt;

@@ -10,41 +10,7 @@ use crate::bounds::scalar_product;
 use crate::locate::Place;
 use crate::mesh::{next, prev};
 use crate::refine::Reason;
-use crate::refine::labels::OUTSIDE;
-use crate::refine::work::Work;
-
-/// A part of an edge: one side of the triangulation, until it is split.
-#[derive(Clone, Debug)]
-pub(super) struct Part {
-    /// Its ends, as numbers of points.
-    pub(super) ends: [u32; 2],
-    /// The labels on its left and on its right.
-    pub(super) labels: [u32; 2],
-    /// Whether it meets another part at a sharp corner of the input there.
-    pub(super) is_sharp: [bool; 2],
-    /// The point that splits it, and its halves.
-    pub(super) halves: Option<(u32, [u32; 2])>,
-    /// Why it cannot be split.
-    pub(super) is_whole: Option<Reason>,
-}
-
-/// Where a vertex lies.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Kind {
-    /// It is a point of the input.
-    Given,
-    /// It splits an edge; perhaps in a shell around a sharp corner.
-    OnPart(Option<Shell>),
-    /// It was added to a triangle.
-    Free,
-}
-
-/// A circle around a sharp corner, by its point and the radius that was meant, which rounding does not touch.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Shell {
-    corner: u32,
-    radius: f64,
-}
+use crate::refine::work::{Kind, OUTSIDE, Shell, Work};
 
 /// Where a part is to be split.
 pub(super) struct Split<S> {
