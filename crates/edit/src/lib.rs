@@ -13,6 +13,7 @@ mod refine;
 mod region;
 mod sweep;
 mod triangulation;
+mod voronoi;
 mod walk;
 
 pub use bounds::{Bounds, Broken};
@@ -20,3 +21,4 @@ pub use edits::{Change, Edits};
 pub use error::EditError;
 pub use refine::{Left, Reason, RefineError, Refined, Refinement};
 pub use triangulation::DynamicTriangulation;
+pub use voronoi::{Ridge, Voronoi, VoronoiError};

@@ -30,8 +30,8 @@ use crate::region::{Piece, outlined};
 use crate::triangulation::DynamicTriangulation;
 
 impl<S: Scalar + Clone> DynamicTriangulation<S> {
-    /// Sweeps the region anew, without the vertices `gone` (sorted), with the vertices `new` and the parts `pieces` of new edges.
-    /// Returns the new triangles, and the sides across the border. The region is empty afterwards.
+    /// Sweeps the region anew, without the vertices `gone` (sorted), with the vertices `new` and the parts `pieces` of new
+    /// edges. Returns the new triangles, and the sides across the border. The region is empty afterwards.
     pub(crate) fn sweep(
         &mut self,
         gone: &[u32],

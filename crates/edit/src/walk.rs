@@ -47,7 +47,8 @@ impl<S: Scalar + Clone> DynamicTriangulation<S> {
         sides
     }
 
-    /// Adds what a new edge pierces to the region; where that is another edge, the sweep names both. Returns its parts, with the sides of those that are sides.
+    /// Adds what a new edge pierces to the region; where that is another edge, the sweep names both. Returns its parts,
+    /// with the sides of those that are sides.
     pub(crate) fn pierce(
         &mut self,
         [mut v, end]: [u32; 2],

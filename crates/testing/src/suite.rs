@@ -16,7 +16,7 @@ use crate::judge::{Fault, Special};
 use crate::oracle::{Domain, verdict};
 
 /// The version of the suite: a new one where a case or an answer changes.
-pub const VERSION: &str = "1.2.0";
+pub const VERSION: &str = "1.3.0";
 
 /// An input of the suite, and its answer.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,9 +1,9 @@
 //! Refinement to bounds on angles, areas and sides: points are added until no triangle inside breaks a bound.
 //!
-//! This is Ruppert's algorithm (1995) with Chew's lenses (1993), Üngör's off-centers (2004), and shells around sharp
-//! corners of the input (Ruppert; Miller, Pav and Walkington 2003). Points come in **rounds**: first every side that is
-//! encroached is split, then triangles that break a bound get a new vertex each, the worst first, as far as no two have
-//! a triangle of their regions in common. So a round does what single insertions would, and each is one batch of edits.
+//! This is Delaunay refinement (Ruppert 1995) with lenses (Chew 1993), off-centers (Üngör 2004), and shells around sharp
+//! corners of the input (Ruppert 1995; Miller, Pav and Walkington 2003). Points come in **rounds**: first the parts of
+//! edges that are encroached are split, then triangles that break a bound get a new vertex each, the worst first, as long
+//! as no two of their regions share a triangle. So a round does what single insertions would do, in one batch of edits.
 //!
 //! ```text
 //!        r                     The new vertex x of the triangle p q r lies on the bisector of its shortest side, at
@@ -12,13 +12,14 @@
 //!     p----------q             the edge is split instead. Vertices of ours in the circle over it go first.
 //! ```
 //!
-//! **Why it is right.** All triangles come from edits, so they are those of a fresh run on the points and parts. A split
-//! point of doubles is rounded, and bends its edge: it is taken only if it lies in a triangle at the part, so that no
-//! vertex changes sides. What is inside is known of the sides of each part, and spreads from there. Bounds are decided by
-//! exact signs; places of new points are not, and need not be. It ends, since every point has a least distance to others
-//! if the least angle is at most 20 degrees (in practice 33); beyond that [`most_points`](Refinement::most_points) ends it.
+//! **Why it is right.** All triangles come from edits, so a fresh run on the points and parts makes the same ones. A split
+//! point of doubles is rounded, and bends its edge: it is taken only if it lies in a triangle at the part, or outside
+//! beside it, so that no vertex changes sides. Each part knows what is inside on its two sides, and new triangles learn it
+//! from there. Exact signs decide the bounds; the places of new points need not be exact. Ruppert and Miller, Pav and
+//! Walkington prove that such a refinement ends up to some 20 degrees; in practice it ends up to 33, and
+//! [`most_points`](Refinement::most_points) ends it always.
 //!
-//! **Cost.** A round costs its edits, and a sort of the triangles that wait. Most new points come in few rounds.
+//! **Cost.** A round costs its edits, and a sort of the triangles that wait.
 
 mod candidate;
 mod labels;
