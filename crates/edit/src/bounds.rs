@@ -10,6 +10,7 @@
 //! bound on them is more than the error of their difference, if nothing underflows. Fractions decide the rest.
 
 use std::cmp::Ordering;
+use std::fmt;
 
 use num_rational::BigRational;
 use sweep_cdt::crossings::Exact;
@@ -21,8 +22,9 @@ use sweep_cdt::crossings::Exact;
 ///
 /// let bounds = Bounds { least_angle: Some(30.0), greatest_side: Some(2.0), ..Bounds::default() };
 /// let points = [[0.0, 0.0], [2.0, 0.0], [1.0, 1.5], [2.0, 3.0]];
-/// assert_eq!(bounds.broken([0, 1, 2].map(|v| &points[v])), None);
-/// assert_eq!(bounds.broken([0, 2, 3].map(|v| &points[v])), Some(Broken::Angle));
+/// let triangles = [[0, 1, 2], [0, 2, 3]];
+/// assert_eq!(bounds.violations(&points, &triangles)?, [(1, Broken::Angle)]);
+/// # Ok::<(), sweep_cdt_edit::BoundsError>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Bounds {
@@ -46,9 +48,66 @@ pub enum Broken {
     Side,
 }
 
+/// Why bounds are not compared with triangles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum BoundsError {
+    /// The least angle is not from 0 to 60 degrees, without 60.
+    Angle,
+    /// A greatest area or side is not above 0.
+    Size,
+    /// A triangle names a point that does not exist.
+    NoPoint {
+        /// The triangle, by position.
+        triangle: usize,
+        /// The number of the point.
+        point: usize,
+    },
+    /// A coordinate of a triangle's corner is NaN or infinite.
+    NonFiniteCoordinate {
+        /// The number of the point.
+        point: usize,
+    },
+}
+
+impl fmt::Display for BoundsError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            BoundsError::Angle => {
+                f.write_str("the least angle must be at least 0 and below 60 degrees")
+            }
+            BoundsError::Size => f.write_str("the greatest area and side must be above 0"),
+            BoundsError::NoPoint { triangle, point } => {
+                write!(
+                    f,
+                    "triangle {triangle} names point {point}, which does not exist"
+                )
+            }
+            BoundsError::NonFiniteCoordinate { point } => {
+                write!(f, "a coordinate of point {point} is not finite")
+            }
+        }
+    }
+}
+
+impl std::error::Error for BoundsError {}
+
 impl Bounds {
-    /// The first bound that a triangle breaks.
-    pub fn broken<S: Exact>(&self, corners: [&[S; 2]; 3]) -> Option<Broken> {
+    /// Refuses bounds that no mesh can be compared with.
+    pub(crate) fn check(&self) -> Result<(), BoundsError> {
+        let sizes = [self.greatest_area, self.greatest_side];
+        if !self
+            .least_angle
+            .is_none_or(|angle| (0.0..60.0).contains(&angle))
+        {
+            return Err(BoundsError::Angle);
+        }
+        let are_above = sizes.into_iter().flatten().all(|size| size > 0.0);
+        are_above.then_some(()).ok_or(BoundsError::Size)
+    }
+
+    /// The first bound that a triangle of finite corners breaks.
+    pub(crate) fn broken<S: Exact>(&self, corners: [&[S; 2]; 3]) -> Option<Broken> {
         let turned = |k: usize| [0, 1, 2].map(|i| corners[(k + i) % 3]);
         if let Some(least) = self.least_angle
             && let cosine = squared_cosine(least)
@@ -62,25 +121,38 @@ impl Bounds {
         {
             return Some(Broken::Area);
         }
-        let is_long = |most: f64| {
-            (0..3).any(|k| compare_side([corners[k], corners[(k + 1) % 3]], most).is_gt())
-        };
+        let sides = [0, 1, 2].map(|k| [corners[k], corners[(k + 1) % 3]]);
+        let is_long = |most: f64| sides.iter().any(|&side| compare_side(side, most).is_gt());
         self.greatest_side
             .is_some_and(is_long)
             .then_some(Broken::Side)
     }
 
-    /// The triangles that break a bound, with the first one that each breaks.
+    /// The triangles that break a bound, with the first one that each breaks. Any program may have made them, in any
+    /// direction.
+    ///
+    /// # Errors
+    /// [`BoundsError`].
     pub fn violations<S: Exact>(
         &self,
         points: &[[S; 2]],
         triangles: &[[usize; 3]],
-    ) -> Vec<(usize, Broken)> {
-        let broken = |triangle: &[usize; 3]| self.broken(triangle.map(|v| &points[v]));
-        let numbered = triangles.iter().enumerate();
-        numbered
-            .filter_map(|(t, triangle)| Some((t, broken(triangle)?)))
-            .collect()
+    ) -> Result<Vec<(usize, Broken)>, BoundsError> {
+        self.check()?;
+        let mut found = Vec::new();
+        for (triangle, &corners) in triangles.iter().enumerate() {
+            for point in corners {
+                let place = points
+                    .get(point)
+                    .ok_or(BoundsError::NoPoint { triangle, point })?;
+                if !place.iter().all(S::is_finite) {
+                    return Err(BoundsError::NonFiniteCoordinate { point });
+                }
+            }
+            let broken = self.broken(corners.map(|v| &points[v]));
+            found.extend(broken.map(|broken| (triangle, broken)));
+        }
+        Ok(found)
     }
 }
 
@@ -91,7 +163,7 @@ pub(crate) fn squared_cosine(degrees: f64) -> f64 {
 }
 
 /// The point as doubles, if it is one.
-fn doubles<S: Exact>(point: &[S; 2]) -> Option<[f64; 2]> {
+pub(crate) fn doubles<S: Exact>(point: &[S; 2]) -> Option<[f64; 2]> {
     let double = |x: &S| {
         S::nearest_of_double(x.approx())
             .filter(|y| y.compare(x).is_eq())
@@ -128,7 +200,7 @@ fn exact_spread([a, b, c]: [[BigRational; 2]; 3]) -> [BigRational; 3] {
 }
 
 fn fraction(x: f64) -> BigRational {
-    BigRational::from_float(x).unwrap_or_else(|| BigRational::from_integer(0.into()))
+    BigRational::from_float(x).expect("bounds are finite where they are compared")
 }
 
 /// The sign of the scalar product from `c` to `a` and `b`: `Less`, if the angle at `c` is obtuse.

@@ -16,7 +16,7 @@ mod triangulation;
 mod voronoi;
 mod walk;
 
-pub use bounds::{Bounds, Broken};
+pub use bounds::{Bounds, BoundsError, Broken};
 pub use edits::{Change, Edits};
 pub use error::EditError;
 pub use refine::{Left, Reason, RefineError, Refined, Refinement};

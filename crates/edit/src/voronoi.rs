@@ -35,7 +35,7 @@ use sweep_cdt::{Triangulation, VertexStars};
 /// assert_eq!(voronoi.cells[1], [1, 0]);
 /// // Bounded by a box, the cell of the point on the right.
 /// let square = [[0.0, -4.0], [10.0, -4.0], [10.0, 6.0], [0.0, 6.0]];
-/// let cell = voronoi.cell_within(4, &square);
+/// let cell = voronoi.cell_within(4, &square)?;
 /// assert_eq!(cell, [[8.5, -4.0], [10.0, -4.0], [10.0, 6.0], [7.5, 6.0], [5.5, 2.0]]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -45,7 +45,7 @@ pub struct Voronoi<'a, S> {
     points: &'a [[S; 2]],
     /// The places of the Voronoi vertices, for fractions exactly, else each coordinate rounded once.
     pub vertices: Vec<[S; 2]>,
-    /// What separates the cells of two points.
+    /// The lines that separate the cells of two points.
     pub ridges: Vec<Ridge>,
     /// For each point the Voronoi vertices around its cell, counter-clockwise; of an unbounded cell from the end of the
     /// ridge that comes in to that of the one that goes out. Equal points have one cell. Empty, if there is no triangle.
@@ -60,12 +60,12 @@ pub struct Voronoi<'a, S> {
 pub struct Ridge {
     /// The points of the cells on its left and on its right, on the way from its first end to its second.
     pub points: [usize; 2],
-    /// Its ends, as Voronoi vertices. A ridge without a second end leaves the hull to the right of the side from its
+    /// The ends of the ridge, as Voronoi vertices. A ridge without a second end leaves the hull to the right of the side from its
     /// second point to its first. Where all points lie on one line, ridges have no ends.
     pub ends: [Option<usize>; 2],
 }
 
-/// Why there is no Voronoi diagram.
+/// Why there is no Voronoi diagram, or no cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum VoronoiError {
@@ -76,6 +76,16 @@ pub enum VoronoiError {
     },
     /// The points are not those of the triangulation.
     OtherInput,
+    /// There is no such point.
+    NoPoint {
+        /// The number.
+        point: usize,
+    },
+    /// A coordinate of a polygon's corner is NaN or infinite.
+    NonFiniteCorner {
+        /// The position of the corner.
+        corner: usize,
+    },
 }
 
 impl fmt::Display for VoronoiError {
@@ -88,6 +98,10 @@ impl fmt::Display for VoronoiError {
                 )
             }
             VoronoiError::OtherInput => f.write_str("the triangulation is not one of these points"),
+            VoronoiError::NoPoint { point } => write!(f, "there is no point {point}"),
+            VoronoiError::NonFiniteCorner { corner } => {
+                write!(f, "a coordinate of corner {corner} is not finite")
+            }
         }
     }
 }
@@ -103,7 +117,9 @@ impl<'a, S: Exact> Voronoi<'a, S> {
         result: &Triangulation,
         points: &'a [[S; 2]],
     ) -> Result<Voronoi<'a, S>, VoronoiError> {
-        if result.sweep_order().len() + result.duplicates().len() != points.len() {
+        let is_finite = |point: &[S; 2]| point.iter().all(S::is_finite);
+        let count = result.sweep_order().len() + result.duplicates().len();
+        if count != points.len() || !points.iter().all(is_finite) {
             return Err(VoronoiError::OtherInput);
         }
         let circles = circles(result, points)?;
@@ -113,7 +129,8 @@ impl<'a, S: Exact> Voronoi<'a, S> {
             let circle = circles[t];
             if circle == t {
                 first[t] = vertices.len();
-                vertices.push(center(result.triangle(t).map(|v| &points[v])));
+                let center = center(result.triangle(t).map(|v| &points[v]));
+                vertices.push(center.ok_or(VoronoiError::OtherInput)?);
             }
         }
         let vertex = |t: usize| first[circles[t]];
@@ -154,9 +171,24 @@ impl<'a, S: Exact> Voronoi<'a, S> {
 
     /// The part of a point's cell inside a convex polygon, whose corners are given counter-clockwise: its corners, from
     /// one of the polygon's where there is one. Empty, if they share no area.
-    pub fn cell_within(&self, point: usize, polygon: &[[S; 2]]) -> Vec<[S; 2]> {
+    ///
+    /// # Errors
+    /// [`VoronoiError::NoPoint`], [`VoronoiError::NonFiniteCorner`].
+    pub fn cell_within(
+        &self,
+        point: usize,
+        polygon: &[[S; 2]],
+    ) -> Result<Vec<[S; 2]>, VoronoiError> {
         let exactly = |point: &[S; 2]| point.each_ref().map(S::to_fraction);
-        let own = exactly(&self.points[point]);
+        let own = self
+            .points
+            .get(point)
+            .ok_or(VoronoiError::NoPoint { point })?;
+        let own = exactly(own);
+        let is_finite = |corner: &[S; 2]| corner.iter().all(S::is_finite);
+        if let Some(corner) = polygon.iter().position(|corner| !is_finite(corner)) {
+            return Err(VoronoiError::NonFiniteCorner { corner });
+        }
         let mut corners: Vec<[BigRational; 2]> = polygon.iter().map(exactly).collect();
         for &other in &self.neighbors[point] {
             let other = exactly(&self.points[other]);
@@ -178,12 +210,10 @@ impl<'a, S: Exact> Voronoi<'a, S> {
             corners = kept;
         }
         if corners.len() < 3 {
-            return Vec::new();
+            return Ok(Vec::new());
         }
-        corners
-            .iter()
-            .map(|place| place.each_ref().map(S::nearest))
-            .collect()
+        let nearest = |place: &[BigRational; 2]| place.each_ref().map(S::nearest);
+        Ok(corners.iter().map(nearest).collect())
     }
 }
 
@@ -254,13 +284,16 @@ fn distance(p: &[BigRational; 2], q: &[BigRational; 2]) -> BigRational {
     &x * &x + &y * &y
 }
 
-/// The centre of the circle through three points.
-fn center<S: Exact>(corners: [&[S; 2]; 3]) -> [S; 2] {
+/// The centre of the circle through three points that turn left; of others none is made.
+fn center<S: Exact>(corners: [&[S; 2]; 3]) -> Option<[S; 2]> {
     let [p, q, r] = corners.map(|corner| corner.each_ref().map(S::to_fraction));
     let [u, w] = [q, r].map(|corner| [0, 1].map(|k| &corner[k] - &p[k]));
     let [uu, ww] = [&u, &w].map(|v| &v[0] * &v[0] + &v[1] * &v[1]);
     let area = (&u[0] * &w[1] - &u[1] * &w[0]) * fraction(2);
+    if area <= fraction(0) {
+        return None;
+    }
     let x = &p[0] + (&w[1] * &uu - &u[1] * &ww) / &area;
     let y = &p[1] + (&u[0] * &ww - &w[0] * &uu) / &area;
-    [S::nearest(&x), S::nearest(&y)]
+    Some([S::nearest(&x), S::nearest(&y)])
 }

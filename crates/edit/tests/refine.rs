@@ -7,7 +7,7 @@ use num_rational::BigRational;
 use sweep_cdt::crossings::Exact;
 use sweep_cdt::interior::{FillRule, Interior};
 use sweep_cdt::triangulate;
-use sweep_cdt_edit::{Bounds, Broken, Reason, RefineError, Refined, Refinement};
+use sweep_cdt_edit::{Bounds, BoundsError, Broken, Reason, RefineError, Refined, Refinement};
 use sweep_cdt_generate::KINDS;
 use sweep_cdt_testing::data::Hard;
 use sweep_cdt_testing::{Input, Random};
@@ -19,7 +19,7 @@ fn angle(least: f64) -> Bounds {
     }
 }
 
-/// What holds of every refined mesh.
+/// Panics unless a refined mesh keeps all promises.
 fn assert_mesh<S: Exact + PartialEq>(
     points: &[[S; 2]],
     edges: &[[usize; 2]],
@@ -43,6 +43,7 @@ fn assert_mesh<S: Exact + PartialEq>(
     } else {
         bounds.violations(&mesh.points, &mesh.triangles)
     };
+    let broken = broken.expect(name);
     let left: Vec<(usize, Broken)> = mesh.left.iter().map(|l| (l.triangle, l.bound)).collect();
     assert_eq!(broken, left, "{name}");
     // The parts of each edge are a chain from end to end.
@@ -58,6 +59,12 @@ fn assert_mesh<S: Exact + PartialEq>(
         }
         assert_eq!(at, b, "{name}: edge {e}");
     }
+}
+
+/// The bound that a triangle breaks.
+fn broken<S: Exact>(bounds: Bounds, corners: &[[S; 2]; 3]) -> Option<Broken> {
+    let violations = bounds.violations(corners, &[[0, 1, 2]]);
+    Some(violations.expect("bounds and points").first()?.1)
 }
 
 /// Twice the area of all triangles.
@@ -171,7 +178,7 @@ fn regions_have_areas_of_their_own() {
             greatest_area: Some(areas[region]),
             ..angle(25.0)
         };
-        assert_eq!(bounds.broken(triangle.map(|v| &mesh.points[v])), None);
+        assert_eq!(broken(bounds, &triangle.map(|v| mesh.points[v])), None);
         // The centroid lies in the region.
         let [x, y] = [0, 1].map(|i| triangle.iter().map(|&v| mesh.points[v][i]).sum::<f64>() / 3.0);
         let far = x.abs().max(y.abs());
@@ -202,7 +209,7 @@ fn areas_depend_on_the_place() {
             greatest_area: most,
             ..angle(20.0)
         };
-        assert_eq!(bounds.broken(corners.each_ref()), None);
+        assert_eq!(broken(bounds, &corners), None);
         *(if x < 0.0 { &mut left } else { &mut right }) += 1;
     }
     assert!(left > 4 * right, "{left} {right}");
@@ -266,12 +273,12 @@ fn limits_and_refusals() {
     assert!(mesh.left.iter().all(|left| left.reason == Reason::Limit));
     assert_mesh(&points, &edges, area(0.001), &mesh, "limit");
     for (bounds, error) in [
-        (angle(60.0), RefineError::Angle),
-        (angle(f64::NAN), RefineError::Angle),
-        (angle(-1.0), RefineError::Angle),
+        (angle(60.0), RefineError::Bounds(BoundsError::Angle)),
+        (angle(f64::NAN), RefineError::Bounds(BoundsError::Angle)),
+        (angle(-1.0), RefineError::Bounds(BoundsError::Angle)),
         (angle(35.0), RefineError::Endless),
-        (area(0.0), RefineError::Size),
-        (area(f64::NAN), RefineError::Size),
+        (area(0.0), RefineError::Bounds(BoundsError::Size)),
+        (area(f64::NAN), RefineError::Bounds(BoundsError::Size)),
     ] {
         assert_eq!(run(Refinement::new(bounds)), Err(error));
     }
@@ -295,7 +302,8 @@ fn the_filter_of_bounds_is_right() {
         let corners: [[f64; 2]; 3] = [0; 3].map(|_| [double(), double()]);
         let exact = corners.map(|corner| corner.map(|x| x.to_fraction()));
         let side = (corners[0][0] - corners[1][0]).hypot(corners[0][1] - corners[1][1]);
-        let area = random.below(40) as f64 / 2.0;
+        let side = side.max(0.5);
+        let area = (1 + random.below(40)) as f64 / 2.0;
         for bounds in [
             angle(45.0),
             angle(30.0),
@@ -308,12 +316,8 @@ fn the_filter_of_bounds_is_right() {
                 ..Bounds::default()
             },
         ] {
-            let found = bounds.broken(corners.each_ref());
-            assert_eq!(
-                found,
-                bounds.broken(exact.each_ref()),
-                "{corners:?} {bounds:?}"
-            );
+            let found = broken(bounds, &corners);
+            assert_eq!(found, broken(bounds, &exact), "{corners:?} {bounds:?}");
         }
     }
 }
@@ -425,4 +429,63 @@ fn parts_that_stay_whole_remove_nothing() {
     let refinement = Refinement::new(bounds).most_points(281);
     let mesh = refinement.run(&points, &edges, &Interior::whole(&result));
     assert!(mesh.expect("a limit").points.len() <= 281);
+}
+
+/// Meshes of any program: numbers of points that do not exist, coordinates that are not finite, bounds that are none.
+#[test]
+fn violations_refuse_what_they_cannot_compare() {
+    let points = [[0.0, 0.0], [1.0, 0.0], [f64::NAN, 1.0]];
+    let of = |bounds: Bounds, triangle: [usize; 3]| bounds.violations(&points, &[triangle]);
+    let (triangle, point) = (0, 3);
+    assert_eq!(
+        of(angle(20.0), [0, 1, 3]),
+        Err(BoundsError::NoPoint { triangle, point })
+    );
+    let point = 2;
+    assert_eq!(
+        of(angle(20.0), [0, 1, 2]),
+        Err(BoundsError::NonFiniteCoordinate { point })
+    );
+    assert_eq!(of(angle(-20.0), [0, 1, 1]), Err(BoundsError::Angle));
+    let side = |most: f64| Bounds {
+        greatest_side: Some(most),
+        ..Bounds::default()
+    };
+    assert_eq!(of(side(-1.0), [0, 1, 1]), Err(BoundsError::Size));
+    // Nothing is too long for an infinite bound, and flat triangles have no angle.
+    assert_eq!(of(side(f64::INFINITY), [0, 1, 1]), Ok(vec![]));
+    assert_eq!(of(angle(20.0), [0, 1, 1]), Ok(vec![(0, Broken::Angle)]));
+    // Clockwise triangles have angles and areas, too.
+    let corners = [[0.0, 0.0], [0.0, 1.0], [8.0, 0.0]];
+    assert_eq!(broken(angle(8.0), &corners), Some(Broken::Angle));
+    assert_eq!(broken(angle(7.0), &corners), None);
+}
+
+/// Points of another triangulation, as many: refused, or refined if the triangles are the same, but no panic.
+#[test]
+fn points_of_others_are_no_panic() {
+    let mut random = Random::new(31);
+    let mut refused = 0;
+    for case in 0..400 {
+        let n = 3 + random.below(12);
+        let points: Vec<[f64; 2]> = (0..n).map(|_| place(case % 8, &mut random)).collect();
+        let edges = [[0, 1], [1, 2]];
+        let Ok(result) = triangulate(&points, &edges) else {
+            continue;
+        };
+        let mut others = points.clone();
+        for other in &mut others {
+            let numbers = [f64::NAN, 0.0, 1.0, -7.0, f64::MAX];
+            if random.one_in(3) {
+                *other = [random.pick(&numbers), random.pick(&numbers)];
+            }
+        }
+        let refinement = Refinement::new(angle(20.0)).most_points(n + 50);
+        refused += usize::from(
+            refinement
+                .run(&others, &edges, &Interior::whole(&result))
+                .is_err(),
+        );
+    }
+    assert!(refused > 100, "{refused}");
 }

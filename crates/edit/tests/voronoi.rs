@@ -112,7 +112,7 @@ fn every_place_is_in_the_cell_of_the_nearest_point() {
         ];
         let mut sum = whole(0);
         for (p, point) in exact.iter().enumerate() {
-            let cell = voronoi.cell_within(p, &square);
+            let cell = voronoi.cell_within(p, &square).expect("a point");
             assert!(
                 cell.iter()
                     .all(|place| distance(place, point) == nearest(place)),
@@ -174,4 +174,39 @@ fn edges_that_are_in_the_way_are_refused() {
         Voronoi::new(&result, &kite[..3]),
         Err(VoronoiError::OtherInput)
     );
+    let voronoi = Voronoi::new(&result, &kite).expect("a kite");
+    let point = 4;
+    assert_eq!(
+        voronoi.cell_within(point, &kite),
+        Err(VoronoiError::NoPoint { point })
+    );
+    let open = [kite[0], [f64::NAN, 0.0], kite[2]];
+    let corner = 1;
+    assert_eq!(
+        voronoi.cell_within(0, &open),
+        Err(VoronoiError::NonFiniteCorner { corner })
+    );
+}
+
+/// Points of another triangulation, as many: refused, or a diagram of what they are, but no panic.
+#[test]
+fn points_of_others_are_no_panic() {
+    let mut random = Random::new(29);
+    let mut refused = 0;
+    for case in 0..400 {
+        let given = points(case % 4, &mut random);
+        let doubles: Vec<[f64; 2]> = given.iter().map(|point| point.map(|x| x as f64)).collect();
+        let result = triangulate(&doubles, &[]).expect("points");
+        let mut others = doubles.clone();
+        for other in &mut others {
+            let numbers = [f64::NAN, 0.0, 1.0, -7.0, f64::MAX];
+            *other = if random.one_in(2) {
+                *other
+            } else {
+                [random.pick(&numbers), random.pick(&numbers)]
+            };
+        }
+        refused += usize::from(Voronoi::new(&result, &others).is_err());
+    }
+    assert!(refused > 100, "{refused}");
 }

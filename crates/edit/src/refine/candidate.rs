@@ -13,9 +13,9 @@ use crate::refine::work::{Bad, Kind, Work};
 
 /// What becomes of a triangle that breaks a bound.
 pub(super) enum Candidate<S> {
-    /// It stays.
+    /// The triangle stays.
     Stays(Reason),
-    /// These parts are in the way.
+    /// Parts of edges are in the way: they are split instead.
     Parts(Vec<u32>),
     /// A vertex here leaves these triangles wrong.
     Place([S; 2], Vec<u32>),
@@ -31,9 +31,8 @@ impl<S: Exact> Work<'_, '_, S> {
         if bad.bound == Broken::Angle && self.is_input_angle([p, q, r]) {
             return Candidate::Stays(Reason::InputAngle);
         }
-        let near = |v: u32| self.mesh.points.place(v).each_ref().map(S::approx);
-        let Some(place) =
-            center([p, q, r].map(near), self.off_center).and_then(|place| self.exactly(place))
+        let Some(place) = center([p, q, r].map(|v| self.near(v)), self.off_center)
+            .and_then(|place| self.exactly(place))
         else {
             return Candidate::Stays(Reason::Rounding);
         };
@@ -47,7 +46,7 @@ impl<S: Exact> Work<'_, '_, S> {
     /// The vertices of a triangle, counter-clockwise, those at its shortest side first.
     fn at_shortest_side(&self, t: u32) -> [u32; 3] {
         let corners = self.mesh.mesh.triangle(t).expect("a triangle");
-        let near = corners.map(|v| self.mesh.points.place(v).each_ref().map(S::approx));
+        let near = corners.map(|v| self.near(v));
         let length = |k: usize| {
             let ([x, y], [z, w]) = (near[k], near[(k + 1) % 3]);
             (z - x).hypot(w - y)
@@ -92,7 +91,7 @@ impl<S: Exact> Work<'_, '_, S> {
             if mesh.covers(side) > 0 {
                 return Err(Some(side));
             }
-            // What bounds the inside is a part.
+            // The inside is bounded by parts, so there is a triangle across.
             let across = mesh.twin(side);
             let apex = self.mesh.points.place(mesh.apex(across));
             side = if orient2d(from, place, apex).is_gt() {

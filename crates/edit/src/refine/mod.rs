@@ -1,6 +1,6 @@
 //! Refinement to bounds on angles, areas and sides: points are added until no triangle inside breaks a bound.
 //!
-//! This is Delaunay refinement (Ruppert 1995) with lenses (Chew 1993), off-centers (Üngör 2004), and shells around sharp
+//! The method is Delaunay refinement (Ruppert 1995) with lenses (Chew 1993), off-centers (Üngör 2004), and shells around sharp
 //! corners of the input (Ruppert 1995; Miller, Pav and Walkington 2003). Points come in **rounds**: first the parts of
 //! edges that are encroached are split, then triangles that break a bound get a new vertex each, the worst first, as long
 //! as no two of their regions share a triangle. So a round does what single insertions would do, in one batch of edits.
@@ -33,7 +33,7 @@ use std::fmt;
 use sweep_cdt::crossings::Exact;
 use sweep_cdt::interior::Interior;
 
-use crate::bounds::{Bounds, Broken};
+use crate::bounds::{Bounds, BoundsError, Broken};
 use crate::error::EditError;
 use work::Work;
 
@@ -50,7 +50,7 @@ use work::Work;
 /// let bounds = Bounds { least_angle: Some(28.0), greatest_area: Some(2.0), ..Bounds::default() };
 /// let mesh = Refinement::new(bounds).run(&points, &edges, &inside)?;
 /// assert!(mesh.left.is_empty() && mesh.points.starts_with(&points));
-/// assert!(bounds.violations(&mesh.points, &mesh.triangles).is_empty());
+/// assert!(bounds.violations(&mesh.points, &mesh.triangles)?.is_empty());
 /// // The parts of the second edge, from its first end to its second.
 /// let second = mesh.edges.iter().zip(&mesh.edge_of).filter(|(_, edge)| **edge == Some(1));
 /// assert_eq!(second.clone().next().expect("a part").0[0], 1);
@@ -95,7 +95,7 @@ impl<'a> Refinement<'a> {
         self
     }
 
-    /// The greatest area for a triangle with this centroid.
+    /// The greatest area for a triangle with this centroid. Where it is not above 0, no area is too great.
     #[must_use]
     pub fn area_at(mut self, area: &'a dyn Fn([f64; 2]) -> f64) -> Self {
         self.area_at = Some(area);
@@ -133,20 +133,11 @@ impl<'a> Refinement<'a> {
         edges: &[[usize; 2]],
         inside: &Interior<'_>,
     ) -> Result<Refined<S>, RefineError> {
+        self.bounds.check()?;
+        if !self.region_areas.iter().all(|&area| area > 0.0) {
+            return Err(BoundsError::Size.into());
+        }
         let least = self.bounds.least_angle.unwrap_or(0.0);
-        if !(0.0..60.0).contains(&least) {
-            return Err(RefineError::Angle);
-        }
-        let sizes = [self.bounds.greatest_area, self.bounds.greatest_side];
-        let areas = self.region_areas.iter().copied();
-        if sizes
-            .into_iter()
-            .flatten()
-            .chain(areas)
-            .any(|size| size.is_nan() || size <= 0.0)
-        {
-            return Err(RefineError::Size);
-        }
         if least > SURE_ANGLE && self.most_points.is_none() {
             return Err(RefineError::Endless);
         }
@@ -180,7 +171,7 @@ pub struct Refined<S> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub struct Left {
-    /// Its position in [`Refined::triangles`].
+    /// The position of the triangle in [`Refined::triangles`].
     pub triangle: usize,
     /// The bound that it breaks.
     pub bound: Broken,
@@ -192,7 +183,7 @@ pub struct Left {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum Reason {
-    /// It lies in or at a sharp corner of the input.
+    /// The triangle lies in or at a sharp corner of the input.
     InputAngle,
     /// The side that would have to be split bounds the inside, and is kept.
     Boundary,
@@ -217,10 +208,8 @@ impl fmt::Display for Reason {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum RefineError {
-    /// The least angle is not from 0 to 60 degrees.
-    Angle,
-    /// A greatest area or side is not above 0.
-    Size,
+    /// The bounds are none.
+    Bounds(BoundsError),
     /// The least angle is above 34 degrees, and there is no limit of points: it need not end.
     Endless,
     /// The interior is not one of the triangulation of these points and edges.
@@ -232,8 +221,7 @@ pub enum RefineError {
 impl fmt::Display for RefineError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            RefineError::Angle => f.write_str("the least angle must be at least 0 and below 60 degrees"),
-            RefineError::Size => f.write_str("the greatest area and side must be above 0"),
+            RefineError::Bounds(error) => error.fmt(f),
             RefineError::Endless => {
                 f.write_str("a least angle above 34 degrees may need points without end: give a limit of points")
             }
@@ -246,9 +234,16 @@ impl fmt::Display for RefineError {
 impl std::error::Error for RefineError {
     fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
         match self {
+            RefineError::Bounds(error) => Some(error),
             RefineError::Edit(error) => Some(error),
             _ => None,
         }
+    }
+}
+
+impl From<BoundsError> for RefineError {
+    fn from(error: BoundsError) -> RefineError {
+        RefineError::Bounds(error)
     }
 }
 

@@ -6,7 +6,7 @@
 
 use sweep_cdt::crossings::Exact;
 
-use crate::bounds::scalar_product;
+use crate::bounds::{doubles, scalar_product};
 use crate::locate::Place;
 use crate::mesh::{next, prev};
 use crate::refine::Reason;
@@ -77,10 +77,7 @@ impl<S: Exact> Work<'_, '_, S> {
         let [a, b] = part.ends.map(|point| self.vertex(point));
         let [p, q] = [a, b].map(|v| self.mesh.points.place(v));
         let (place, kind) = match part.is_sharp {
-            [false, false] => {
-                let place = [0, 1].map(|i| middle(&p[i], &q[i]));
-                (place, Kind::OnPart(self.shell_between(part.ends)))
-            }
+            [false, false] => (middle(p, q), Kind::OnPart(self.shell_between(part.ends))),
             [true, _] => shell(part.ends[0], p, q),
             [false, true] => shell(part.ends[1], q, p),
         };
@@ -143,17 +140,16 @@ impl<S: Exact> Work<'_, '_, S> {
     }
 }
 
-/// The number nearest to the mean of two.
-fn middle<S: Exact>(a: &S, b: &S) -> S {
-    let double = f64::midpoint(a.approx(), b.approx());
-    let is_double = |x: &S| S::nearest_of_double(x.approx()).is_some_and(|y| y.compare(x).is_eq());
-    if is_double(a)
-        && is_double(b)
-        && let Some(middle) = S::nearest_of_double(double)
+/// The point nearest to the middle between two.
+fn middle<S: Exact>(a: &[S; 2], b: &[S; 2]) -> [S; 2] {
+    if let (Some([ax, ay]), Some([bx, by])) = (doubles(a), doubles(b))
+        && let [Some(x), Some(y)] =
+            [f64::midpoint(ax, bx), f64::midpoint(ay, by)].map(S::nearest_of_double)
     {
-        return middle;
+        return [x, y];
     }
-    S::nearest(&((a.to_fraction() + b.to_fraction()) / num_bigint::BigInt::from(2)))
+    let two = num_bigint::BigInt::from(2);
+    [0, 1].map(|i| S::nearest(&((a[i].to_fraction() + b[i].to_fraction()) / &two)))
 }
 
 /// The point at a power of two from a corner, between a third and two thirds of the way to the other end.
@@ -165,7 +161,7 @@ fn shell<S: Exact>(corner: u32, from: &[S; 2], to: &[S; 2]) -> ([S; 2], Kind) {
     let Some(part) =
         num_rational::BigRational::from_float(part).filter(|_| part > 0.25 && part < 0.75)
     else {
-        return ([0, 1].map(|i| middle(&from[i], &to[i])), Kind::OnPart(None));
+        return (middle(from, to), Kind::OnPart(None));
     };
     let place = [0, 1].map(|i| {
         let (a, b) = (from[i].to_fraction(), to[i].to_fraction());

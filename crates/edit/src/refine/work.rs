@@ -1,4 +1,4 @@
-//! What a refinement knows while it works: the mesh, the parts of edges, labels, and what waits.
+//! The state of a refinement: the mesh, the parts of edges, labels, and the parts and triangles that wait.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -19,7 +19,7 @@ pub(super) const UNKNOWN: u32 = u32::MAX;
 /// A part of an edge: one side of the triangulation, until it is split.
 #[derive(Clone, Debug)]
 pub(super) struct Part {
-    /// Its ends, as numbers of points.
+    /// The ends of the part, as numbers of points.
     pub(super) ends: [u32; 2],
     /// The labels on its left and on its right.
     pub(super) labels: [u32; 2],
@@ -46,11 +46,11 @@ impl Part {
 /// Where a vertex lies.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Kind {
-    /// It is a point of the input.
+    /// The vertex is a point of the input.
     Given,
-    /// It splits an edge; perhaps in a shell around a sharp corner.
+    /// The vertex splits an edge, perhaps in a shell around a sharp corner.
     OnPart(Option<Shell>),
-    /// It was added to a triangle.
+    /// The vertex was added to a triangle.
     Free,
 }
 
@@ -167,6 +167,9 @@ impl<'w, 'a, S: Exact> Work<'w, 'a, S> {
             ..Edits::default()
         };
         mesh.edit(all, false)?;
+        if mesh.canonical_triangles() != result.canonical_triangles() {
+            return Err(RefineError::OtherInput);
+        }
         let angle = how.bounds.least_angle.filter(|&angle| angle > 0.0);
         let cosine = angle.map(|angle| angle.to_radians().cos());
         Ok(Work {
@@ -205,6 +208,11 @@ impl<'w, 'a, S: Exact> Work<'w, 'a, S> {
             .expect("a point that is there")
     }
 
+    /// A vertex by doubles near it.
+    pub(super) fn near(&self, v: u32) -> [f64; 2] {
+        self.mesh.points.place(v).each_ref().map(S::approx)
+    }
+
     /// The part between two points.
     pub(super) fn part_between(&self, a: u32, b: u32) -> u32 {
         self.parts_by_ends[&[a.min(b), a.max(b)]]
@@ -228,10 +236,11 @@ impl<'w, 'a, S: Exact> Work<'w, 'a, S> {
         }
         if let Some(area_at) = self.how.area_at {
             let corners = self.mesh.mesh.triangle(t).expect("a triangle");
-            let near = corners.map(|v| self.mesh.points.place(v).each_ref().map(S::approx));
-            bound(area_at(
-                [0, 1].map(|i| near.iter().map(|corner| corner[i] / 3.0).sum()),
-            ));
+            let near = corners.map(|v| self.near(v));
+            let area = area_at([0, 1].map(|i| near.iter().map(|corner| corner[i] / 3.0).sum()));
+            if area > 0.0 {
+                bound(area);
+            }
         }
         bounds
     }
