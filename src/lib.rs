@@ -76,8 +76,8 @@ pub fn triangulate<S: scalar::Scalar>(
 
 /// The triangles inside of polygons by a [`FillRule`](interior::FillRule), in canonical order.
 ///
-/// They are those that [`Triangulation::interior`] finds in the whole triangulation, but if the edges are rings that
-/// neither touch nor cross, only the inside is triangulated, which takes less time. By winding number this also asks that
+/// [`Triangulation::interior`] finds the same triangles in the whole triangulation. If the edges are rings that
+/// neither touch nor cross, only the inside is triangulated here, which takes less time. By winding number this also asks that
 /// rings in one another run in opposite directions, as outlines and holes do. All other input is triangulated as a whole.
 /// [`Session::triangulate_inside`] does it for many polygons in the same memory.
 ///

@@ -30,7 +30,7 @@ use crate::scalar::Scalar;
 /// A chain of sides beside a line.
 #[derive(Debug)]
 pub(super) struct Bend {
-    /// Its vertices. The first and the last are on the line, and all between are added points.
+    /// The vertices of the chain. The first and the last are on the line, and all between are added points.
     pub(super) vertices: Vec<u32>,
     /// The vertex that is farthest from the line, and how far, in units of the length of the edge.
     pub(super) farthest: (u32, f64),

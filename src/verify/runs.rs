@@ -18,7 +18,7 @@ use crate::scalar::Scalar;
 /// A run that passes an added point.
 #[derive(Debug)]
 pub(super) struct Run {
-    /// Its vertices, as the boundary runs.
+    /// The vertices of the run, as the boundary runs.
     chain: Vec<u32>,
     /// If it is not straight, its farthest vertex with the distance, or else a vertex that it goes round.
     bend: Option<(u32, Option<f64>)>,
@@ -57,14 +57,14 @@ impl Run {
         [self.chain[0], self.chain[self.chain.len() - 1]]
     }
 
-    /// Its vertices that are on its line, the ends among them.
+    /// The vertices that are on the line, the ends among them.
     pub(super) fn on_line<S: Scalar>(&self, soup: &Soup<'_, S>) -> impl Iterator<Item = u32> {
         let [a, b] = self.ends();
         let turn = move |v: u32| soup.turn([a, b, v]);
         self.chain.iter().copied().filter(move |&v| turn(v).is_eq())
     }
 
-    /// Its vertices from one of them to both of its ends.
+    /// The vertices from one of them to both of its ends.
     pub(super) fn both_ways(&self, from: u32) -> [Vec<u32>; 2] {
         let at = self.chain.iter().position(|&v| v == from);
         let (before, after) = self.chain.split_at(at.expect("it is one of them"));

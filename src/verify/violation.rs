@@ -177,7 +177,7 @@ violations! {
             edge: usize = Edge,
             /// The vertex of the chain that is farthest from the edge.
             vertex: usize = Vertex,
-            /// Its distance from the edge, in units of the length of the edge.
+            /// The distance of the vertex from the edge, in units of the length of the edge.
             depth: Option<Depth> = Depth,
         } => "edge {edge} is a chain of sides that is not straight: vertex {vertex} is beside it";
         /// The boundary passes added points beside a side of the hull, or of a chain that the caller gave.
@@ -186,7 +186,7 @@ violations! {
             side: [usize; 2] = Vertices,
             /// The vertex on the boundary that is farthest from the side; without a depth one that the boundary goes round.
             vertex: usize = Vertex,
-            /// Its distance from the side, in units of the length of the side.
+            /// The distance of the vertex from the side, in units of the length of the side.
             depth: Option<Depth> = Depth,
         } => "the boundary from vertex {} to {} is not straight: vertex {vertex} is beside it", side[0], side[1];
         /// A triangle has not the attribute of the region that it lies in, or has one and lies in none.

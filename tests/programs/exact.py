@@ -85,7 +85,7 @@ class Places:
         self.all = sorted(set(points))
 
     def inside(self, a, b):
-        """Those inside a segment, from its lower end on."""
+        """The points inside a segment, from its lower end on."""
         a, b = min(a, b), max(a, b)
         start, end = bisect.bisect_right(self.all, a), bisect.bisect_left(self.all, b)
         return [p for p in self.all[start:end] if between(a, b, p)]

@@ -44,7 +44,7 @@ class Program:
     takes_holes: bool = True
 
     def answer(self, question):
-        """Its answer, or what it raises."""
+        """The answer of a program, or what it raises."""
         answer = self.call(question)
         if self.is_mixed:
             at = exact.integers(question.points)
@@ -57,7 +57,7 @@ class Program:
         return asked if self.takes_holes else [q for q in asked if all(len(p) == 1 for p in q.polygons)]
 
     def version(self):
-        """Its version; nothing, if it is not installed."""
+        """The version of a program; nothing, if it is not installed."""
         if self.is_crate:
             lines = iter((PEERS / "Cargo.lock").read_text().splitlines())
             return next(next(lines).split('"')[1] for line in lines if line == f'name = "{self.package}"')

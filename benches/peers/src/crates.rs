@@ -29,14 +29,14 @@ use sweep_cdt_testing::Input;
 /// Triangles, or why there are none.
 pub(crate) type Answer = Result<Vec<[usize; 3]>, String>;
 
-/// This crate.
+/// The library.
 pub(crate) fn ours(input: &Input, stopwatch: &mut Stopwatch) -> Answer {
     let result = stopwatch.time(|| sweep_cdt::triangulate(&input.points, &input.edges));
     let result = result.map_err(|error| error.to_string())?;
     Ok(result.triangles().collect())
 }
 
-/// This crate, in memory that is kept from one input to the next.
+/// The library, in memory that is kept from one input to the next.
 pub(crate) fn ours_kept(input: &Input, stopwatch: &mut Stopwatch) -> Answer {
     SESSION.with_borrow_mut(|session| {
         let result = stopwatch.time(|| session.triangulate(&input.points, &input.edges));
@@ -45,7 +45,7 @@ pub(crate) fn ours_kept(input: &Input, stopwatch: &mut Stopwatch) -> Answer {
     })
 }
 
-/// This crate, asked for the inside of a polygon alone, in memory that is kept from one input to the next.
+/// The library, asked for the inside of a polygon alone, in memory that is kept from one input to the next.
 pub(crate) fn ours_inside(input: &Input, stopwatch: &mut Stopwatch) -> Answer {
     SESSION.with_borrow_mut(|session| {
         let result = stopwatch

@@ -1,4 +1,4 @@
-//! What is to say about an input or a result, as objects of `sweep_cdt._remarks`: the sentence of the engine, and its numbers.
+//! Remarks on an input or a result, as objects of `sweep_cdt._remarks`: the sentence of the engine, and its numbers.
 
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
@@ -69,7 +69,7 @@ fn numbers<'py>(py: Python<'py>, remark: &Remark) -> PyResult<Bound<'py, PyDict>
     Ok(numbers)
 }
 
-/// What the engine says of a triangulation and its interior, unless that is the hull.
+/// The remarks of the engine on a triangulation and its interior, unless that is the hull.
 pub(crate) fn of_result<S: Coordinate>(
     graph: &Graph<'_, S>,
     heights: Option<&[f64]>,

@@ -27,7 +27,7 @@ pub(crate) struct Core {
     /// Statistics as JSON, if they were asked for.
     #[pyo3(get)]
     stats: Option<String>,
-    /// What the engine says of the result.
+    /// The remarks of the engine on the result.
     remarks: Vec<Remark>,
 }
 
@@ -241,7 +241,7 @@ impl Core {
             .into_pyarray(py)
     }
 
-    /// What the engine says of the result.
+    /// The remarks of the engine on the result.
     fn remarks(&self) -> Remarks {
         Remarks(self.remarks.clone())
     }

@@ -90,8 +90,8 @@ pub(crate) struct Verify {
 
     /// Allow for vertices that the input lacks (Steiner points)
     ///
-    /// They must lie in the hull of the input's points, or in the interior asked for. Edges may be split by
-    /// them. Where they lie beside the edge, because they were rounded, this is a violation with a depth: see
+    /// New vertices must lie in the hull of the input's points, or in the interior asked for. They may split
+    /// edges. Where they lie beside the edge, because they were rounded, this is a violation with a depth: see
     /// --max-depth. All other vertices must be the input's.
     #[arg(long, conflicts_with_all = ["by_number", "tolerance"])]
     steiner: bool,
@@ -136,10 +136,10 @@ pub(crate) struct Verify {
 
     /// Write a certificate of a correct result, for the proved checker (the folder proof of the repository)
     ///
-    /// It holds input and triangles with hints, from which a program whose verdict is a theorem sees that they are
-    /// right. With --domain it has the other triangles of the hull, too, and must be of polygons, even-odd or nonzero, or
-    /// of a rule by which the same is inside. With --steiner its points are those of the result. Of a wrong result none
-    /// is written.
+    /// The certificate holds input and triangles with hints, from which a program whose verdict is a theorem sees that
+    /// they are right. With --domain it has the other triangles of the hull, too, and must be of polygons, even-odd or
+    /// nonzero, or of a rule by which the same is inside. With --steiner its points are those of the result. Of a wrong
+    /// result none is written.
     #[arg(long, value_name = "FILE")]
     write_certificate: Option<PathBuf>,
 

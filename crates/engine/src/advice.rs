@@ -67,7 +67,7 @@ pub struct Fit {
 /// How well triangles tile a domain.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum How {
-    /// They are right.
+    /// The triangles are right.
     Right,
     /// All violations have a depth.
     Shallow {
@@ -76,7 +76,7 @@ pub enum How {
         /// The depth of the deepest.
         depth: Depth,
     },
-    /// They reach a lower level.
+    /// The triangles reach a lower level.
     Lower {
         /// The level.
         level: Level,

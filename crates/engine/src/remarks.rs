@@ -6,7 +6,7 @@ use sweep_cdt::Triangulation;
 use sweep_cdt::interior::Interior;
 use sweep_cdt_formats::{Coordinate, GraphFile, NoTriangles, Remark};
 
-/// What is to say about the triangulation of a file, and its domain unless that is the hull.
+/// The remarks on the triangulation of a file, and on its domain unless that is the hull.
 ///
 /// ```
 /// use sweep_cdt::Pslg;

@@ -8,11 +8,11 @@ pub type Answer = Result<Report, Violations>;
 /// The verdict on triangles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
-    /// They are right.
+    /// The triangles are right.
     Correct,
-    /// They are wrong, but no violation is deeper than what counts as rounding.
+    /// The triangles are wrong, but no violation is deeper than what counts as rounding.
     WithinMaxDepth,
-    /// They are wrong.
+    /// The triangles are wrong.
     Wrong,
 }
 

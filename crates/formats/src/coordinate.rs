@@ -36,7 +36,7 @@ pub trait Coordinate: Scalar + Clone + PartialEq + Send + Sync {
     /// ```
     fn binary(&self) -> Option<(BigInt, i64)>;
 
-    /// The same as [`binary`](Coordinate::binary), where 64 bits hold the integer with its sign and a quick way is known.
+    /// Like [`binary`](Coordinate::binary), where 64 bits hold the integer with its sign and a quick way is known.
     ///
     /// ```
     /// use sweep_cdt_formats::Coordinate;
@@ -221,7 +221,7 @@ pub const MAX_DIGITS: usize = 10_000;
 
 /// The most that an exponent of a number that is read exactly may be, up or down. A double needs at most 324.
 ///
-/// It is less than [`MAX_DIGITS`] since digits that are written out make a file longer, as they make the arithmetic, and
+/// The limit is below [`MAX_DIGITS`] since digits that are written out make a file longer, as they make the arithmetic, and
 /// an exponent does not.
 pub const MAX_EXPONENT: u32 = 400;
 

@@ -45,7 +45,7 @@ pub enum Remark {
     },
     /// An output has no room for this.
     NotWritten {
-        /// What it is.
+        /// The names of all that is left out.
         what: Vec<String>,
     },
     /// Heights stand in a property, or were asked for in one or in a column that is not there.
@@ -69,9 +69,9 @@ pub enum Remark {
         /// How many there are in the columns.
         count: usize,
     },
-    /// A header says other than what follows, or that nothing in what follows can be told apart.
+    /// A header contradicts the rest of its file, or says that all points are one.
     Promise {
-        /// What it says.
+        /// The contradiction, in words.
         what: String,
     },
     /// Sides that span more than half of all longitudes, in a map of longitudes and latitudes.

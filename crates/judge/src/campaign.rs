@@ -19,7 +19,7 @@ pub(crate) struct Campaign {
     /// So many questions are asked
     #[arg(long, value_name = "N", default_value_t = 10_000)]
     executions: u64,
-    /// The same seed, the same questions
+    /// Seed of the random questions
     #[arg(long, value_name = "N", default_value_t = 1)]
     seed: u64,
     /// So many findings of each name are made small and kept

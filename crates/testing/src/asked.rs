@@ -199,7 +199,7 @@ fn circles(points: &[[f64; 2]], result: &Triangulation) -> Vec<usize> {
 pub struct Tally {
     /// The questions.
     pub questions: u64,
-    /// Those of each of [`KINDS`].
+    /// The counts of each of [`KINDS`].
     pub kinds: [u64; KINDS.len()],
 }
 

@@ -199,7 +199,7 @@ fn chain<S: Sample>(points: &[[S; 2]], of: &[usize], [u, v]: [usize; 2]) -> Vec<
 #[derive(Clone, Debug)]
 pub struct Altered<'a> {
     points: &'a [[f64; 2]],
-    /// Those that the triangles are judged with.
+    /// The edges that the triangles are judged with.
     edges: Vec<[usize; 2]>,
     result: &'a Triangulation,
     /// Corners, and whether the side opposite each is constrained.

@@ -1,6 +1,6 @@
 //! The inside of a polygon, where that alone is asked for: what is outside is neither filled nor legalized.
 //!
-//! This is the sweep of Hertel and Mehlhorn (1983) in the order of section 3.3, for edges that are [`rings`]. The sweep
+//! The method is the sweep of Hertel and Mehlhorn (1983) in the order of section 3.3, for edges that are [`rings`]. The sweep
 //! line crosses an even number of edges. Between them are *intervals*, outside and inside by turns ([`status`]), and
 //! each interval inside has a *chain* of vertices, above which nothing is triangulated yet ([`chains`]):
 //!

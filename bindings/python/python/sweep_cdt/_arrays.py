@@ -1,4 +1,4 @@
-"""What is handed in, as plain arrays: the one place that reads masks, nullable columns and frames.
+"""Arrays and columns of all kinds as plain arrays: the one place that reads masks, nullable columns and frames.
 
 A masked entry and a missing one (NA of pandas, None) are one thing: there is no number. Where a number must be, they
 are refused by name. Among values, and where values are asked for, they are NaN.
@@ -83,7 +83,7 @@ def fits(array: np.ndarray) -> bool:
 
 
 def listed(given: Any) -> Any:
-    """What is given; as a list, if it can be passed through once only."""
+    """The argument; as a list, if it can be passed through once only."""
     if isinstance(given, (str, bytes, dict, Sequence)) or hasattr(given, "__array__") or hasattr(given, "__len__"):
         return given
     return list(given) if isinstance(given, Iterable) else given
@@ -134,6 +134,6 @@ def _of_column(given: Any) -> tuple[np.ndarray, np.ndarray | None]:
     if kind is None:
         return np.asarray(given), None
     mask = np.asarray(given.isna(), dtype=bool)
-    # What stands in the place of a missing one counts for nothing.
+    # The number under a mask counts for nothing.
     filler = np.zeros(1, dtype=kind)[0] if kind.kind in "biuf" else None
     return given.to_numpy(dtype=kind, na_value=filler), mask

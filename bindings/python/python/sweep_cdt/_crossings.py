@@ -61,7 +61,7 @@ class Crossings:
         self._input = given
 
     def __reduce__(self) -> tuple[Any, ...]:
-        # They depend on the input alone.
+        # Crossings depend on the input alone.
         return _found, (self._input,)
 
     def __len__(self) -> int:

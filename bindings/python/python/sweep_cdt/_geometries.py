@@ -99,7 +99,7 @@ def _of_document(document: dict[str, Any], name: str) -> Geometries:
 
 
 def _of_members(members: Iterable[Any], name: str) -> Geometries:
-    """Those of each member: a geometry, or an object that has some."""
+    """The geometries of each member, which is one or has some."""
     found, systems = [], []
     for position, member in enumerate(members):
         if member is None or _is_geometry(member):

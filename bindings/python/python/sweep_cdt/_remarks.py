@@ -15,7 +15,7 @@ from ._errors import RemarkError
 
 
 class Remarked(Protocol):
-    """What has remarks."""
+    """A result that has remarks."""
 
     @property
     def remarks(self) -> Sequence[Remark]: ...

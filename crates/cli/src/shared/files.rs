@@ -225,7 +225,7 @@ impl FilesRead {
                     Some(ByteSize(bytes)) => source.unpacked_limit(bytes),
                     None => source,
                 };
-                // They are those of the input, which comes first.
+                // The chosen columns are those of the input, which is read first.
                 let source = source.columns(std::mem::take(&mut self.columns));
                 Ok(match &self.height_property {
                     Some(name) => source.height_property(name),

@@ -11,7 +11,7 @@ use crate::mesh::{next, prev};
 use crate::refine::Reason;
 use crate::refine::work::{Bad, Kind, Work};
 
-/// What becomes of a triangle that breaks a bound.
+/// The treatment of a triangle that breaks a bound.
 pub(super) enum Candidate<S> {
     /// The triangle stays.
     Stays(Reason),
@@ -25,7 +25,7 @@ pub(super) enum Candidate<S> {
 const DRAWN_IN: f64 = 0.95;
 
 impl<S: Exact> Work<'_, '_, S> {
-    /// What becomes of a triangle that breaks a bound.
+    /// The treatment of a triangle that breaks a bound.
     pub(super) fn candidate(&self, bad: &Bad) -> Candidate<S> {
         let [p, q, r] = self.at_shortest_side(bad.t);
         if bad.bound == Broken::Angle && self.is_input_angle([p, q, r]) {

@@ -1,4 +1,4 @@
-//! What is inside: a label for each triangle, which spreads from the parts of edges.
+//! Labels: whether each triangle is inside, and in which region. They spread from the parts of edges.
 //!
 //! Why it is right: a label changes only across parts, since all that bounds the inside is one. Each part knows the
 //! labels on its two sides, and its halves have the same. A new triangle reaches, through sides that are free, a

@@ -1,4 +1,4 @@
-//! The mesh as its user has it.
+//! The refined mesh with numbers for its user: points that went again have none.
 
 use sweep_cdt::crossings::Exact;
 

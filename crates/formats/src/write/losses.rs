@@ -3,7 +3,7 @@
 use crate::{Coordinate, CoordinateSystem, Format, GraphFile, Remark};
 use sweep_cdt::interior::Interior;
 
-/// What of a file and its domain an output in this format does not say: a remark, if there is anything.
+/// The remark on everything of a file and its domain that an output in this format has no room for, if there is any.
 /// A `.cert` alone has vertices without heights; other formats without heights have no vertices either.
 ///
 /// ```

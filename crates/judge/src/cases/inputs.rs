@@ -112,7 +112,7 @@ pub(super) fn pierced(
     }
 }
 
-/// The same, with holes that touch or not.
+/// A question with holes that touch or not.
 pub(super) fn holes(random: &mut Random, holes: RangeInclusive<usize>) -> Question {
     let may_touch = random.one_in(2);
     pierced(random, may_touch, holes)

@@ -40,7 +40,7 @@ enum Source {
         used: Sender<Batch>,
         thread: JoinHandle<()>,
     },
-    /// This thread: the system gives no other.
+    /// The thread of the caller: the system gives no other.
     Here(Box<Maker>),
     /// There are no more.
     End,

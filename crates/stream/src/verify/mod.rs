@@ -60,7 +60,7 @@ pub struct StreamReport {
 
 /// Verifies a triangulation that comes as a stream.
 ///
-/// It accepts what [`Verifier`](sweep_cdt::verify::Verifier) accepts, in every order of triangles, and says what it finds first; that
+/// The verifier accepts what [`Verifier`](sweep_cdt::verify::Verifier) accepts, in every order of triangles, and says what it finds first; that
 /// one lists all. What it asks for, since it reads once:
 ///
 /// - Vertices come before what names them, with numbers of any kind.

@@ -179,7 +179,7 @@ fn chunks_are_believed_as_far_as_the_file_is_long() {
     }
 }
 
-/// The same with the counts of a right file, which are made larger one by one.
+/// The counts of a right file are made larger one by one.
 #[test]
 fn counts_of_chunks_are_checked() {
     let folder = tempfile::tempdir().expect("a folder");

@@ -133,20 +133,20 @@ impl Claims {
         question
     }
 
-    /// These claims in other numbers.
+    /// The claims in other numbers.
     #[must_use]
     pub fn with_numbers(self, numbers: Numbers) -> Claims {
         Claims { numbers, ..self }
     }
 
-    /// These claims with questions that are special in these ways, which the program must answer.
+    /// The claims with questions that are special in these ways, which the program must answer.
     #[must_use]
     pub fn answering(mut self, specials: &[Special]) -> Claims {
         self.never.retain(|special| !specials.contains(special));
         self
     }
 
-    /// These claims with questions that are special in these ways, which the program may refuse.
+    /// The claims with questions that are special in these ways, which the program may refuse.
     #[must_use]
     pub fn refusing(self, specials: &[Special]) -> Claims {
         let mut claims = self.answering(specials);
@@ -154,7 +154,7 @@ impl Claims {
         claims
     }
 
-    /// These claims without questions that are special in these ways.
+    /// The claims without questions that are special in these ways.
     #[must_use]
     pub fn without(mut self, specials: &[Special]) -> Claims {
         self.never.extend(specials);

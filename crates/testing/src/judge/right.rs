@@ -28,7 +28,7 @@ pub struct Right {
 /// Why a question has no answer.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Hopeless {
-    /// These two edges cross at a point that is none of the input; sides of rings are numbered after the edges.
+    /// Two edges cross at a point that is none of the input; sides of rings are numbered after the edges.
     Crossing([usize; 2]),
     /// The edges are no closed rings, of which the domain asks.
     Open,

@@ -43,7 +43,7 @@ impl<S: Coordinate> Listed<'_, S> {
         matching.places(self, self.is_soup, self.points, input, 0)
     }
 
-    /// Those that an input lacks, as [`added_points`](crate::added_points) has them.
+    /// The points that an input lacks, as [`added_points`](crate::added_points) has them.
     ///
     /// # Errors
     /// See [`ResultError`]. The name of the file is empty.

@@ -10,7 +10,7 @@ use crate::read::content::Vertices;
 pub enum Precision {
     /// Each may be rounded to the digits that it has.
     Digits,
-    /// They are numbers of single precision.
+    /// The numbers have single precision.
     Singles,
     /// Nobody has rounded them.
     Exact,

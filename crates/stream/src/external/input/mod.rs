@@ -37,7 +37,7 @@ pub trait Input {
     /// The input is wrong there, or cannot be read.
     fn next_edges(&mut self, edges: &mut Vec<[u64; 2]>) -> Result<(), ReadError>;
 
-    /// What the input says beside points and edges: it is left out, or decides what they are.
+    /// The remarks on the input: what is left out, and what decides which numbers are points.
     fn remarks(&self) -> Vec<Remark> {
         Vec::new()
     }
