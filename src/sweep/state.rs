@@ -110,20 +110,21 @@ impl<'a, P: Probe> Sweep<'a, P> {
             lists,
             ..
         } = scratch;
-        let arrays = take(arrays);
-        let predicates = SweepPredicates::new(points, arrays.vertices).with_ties(settings.ties);
-        let delaunay = Delaunay::new(arrays.mesh, predicates, settings, probe, buffers);
+        let vertices = take(&mut arrays.vertices);
+        let predicates = SweepPredicates::new(points, vertices).with_ties(settings.ties);
+        let mesh = take(&mut arrays.mesh);
+        let delaunay = Delaunay::new(mesh, predicates, settings, probe, buffers);
         let waiting = WaitingEdges::new(&delaunay);
         lists.vertex_triangles.clear();
         Sweep {
             delaunay,
-            front: arrays.front.expect("a front for these vertices"),
+            front: arrays.front.take().expect("a front for these vertices"),
             search,
             heuristics: settings.heuristics,
             lists,
-            chains: arrays.chains,
+            chains: take(&mut arrays.chains),
             waiting,
-            traversed: arrays.traversed,
+            traversed: take(&mut arrays.traversed),
         }
     }
 
