@@ -5,15 +5,13 @@
 //! squared cosine of the bound, and counts as what it is. Areas and sides are compared as twice the area and as squares.
 //! So every test is the sign of a polynomial of degree four at most, which fractions decide.
 //!
-//! **Cost.** Doubles decide where their rounding cannot matter: each polynomial is a sum of products of differences, all
-//! of which are right to `u = 2^-53`. An angle's two sides have 9 and 10 such factors, so that 32 `u` times the larger
-//! bound on them is more than the error of their difference, if nothing underflows. Fractions decide the rest.
+//! **Cost.** [`crate::measure`] compares.
 
-use std::cmp::Ordering;
 use std::fmt;
 
-use num_rational::BigRational;
 use sweep_cdt::crossings::Exact;
+
+use crate::measure::{compare_area, compare_side, has_less_than, squared_cosine};
 
 /// Bounds on the triangles of a mesh. A bound that is `None` holds always.
 ///
@@ -154,122 +152,4 @@ impl Bounds {
         }
         Ok(found)
     }
-}
-
-/// The double nearest to the squared cosine of an angle in degrees.
-pub(crate) fn squared_cosine(degrees: f64) -> f64 {
-    // (1 + cos 2x) / 2 is exact at 0, 30, 45 and 60 degrees but for the cosine.
-    f64::midpoint(1.0, (2.0 * degrees).to_radians().cos())
-}
-
-/// The point as doubles, if it is one.
-pub(crate) fn doubles<S: Exact>(point: &[S; 2]) -> Option<[f64; 2]> {
-    let double = |x: &S| {
-        S::nearest_of_double(x.approx())
-            .filter(|y| y.compare(x).is_eq())
-            .map(|_| x.approx())
-    };
-    Some([double(&point[0])?, double(&point[1])?])
-}
-
-/// From `c` to `a` and to `b`: the scalar product, the sum of the sizes of its terms, and both squared lengths.
-fn spread([a, b, c]: [[f64; 2]; 3]) -> [f64; 4] {
-    let ([px, py], [qx, qy]) = ([a[0] - c[0], a[1] - c[1]], [b[0] - c[0], b[1] - c[1]]);
-    let (x, y) = (px * qx, py * qy);
-    [
-        x + y,
-        x.abs() + y.abs(),
-        px * px + py * py,
-        qx * qx + qy * qy,
-    ]
-}
-
-/// So small that 32 u times the bound is more than all errors, and so large that nothing underflows.
-const ERROR: f64 = 32.0 * (f64::EPSILON / 2.0);
-const NORMAL: std::ops::Range<f64> = 1e-140..1e140;
-
-fn fractions<S: Exact, const N: usize>(points: [&[S; 2]; N]) -> [[BigRational; 2]; N] {
-    points.map(|[x, y]| [x.to_fraction(), y.to_fraction()])
-}
-
-fn exact_spread([a, b, c]: [[BigRational; 2]; 3]) -> [BigRational; 3] {
-    let to = |p: &[BigRational; 2]| [&p[0] - &c[0], &p[1] - &c[1]];
-    let (p, q) = (to(&a), to(&b));
-    let product = |p: &[BigRational; 2], q: &[BigRational; 2]| &p[0] * &q[0] + &p[1] * &q[1];
-    [product(&p, &q), product(&p, &p), product(&q, &q)]
-}
-
-fn fraction(x: f64) -> BigRational {
-    BigRational::from_float(x).expect("bounds are finite where they are compared")
-}
-
-/// The sign of the scalar product from `c` to `a` and `b`: `Less`, if the angle at `c` is obtuse.
-pub(crate) fn scalar_product<S: Exact>([a, b, c]: [&[S; 2]; 3]) -> Ordering {
-    if let (Some(p), Some(q), Some(r)) = (doubles(a), doubles(b), doubles(c)) {
-        let [sum, sizes, ..] = spread([p, q, r]);
-        if sum.abs() > ERROR * sizes && NORMAL.contains(&sizes) {
-            return sum.total_cmp(&0.0);
-        }
-    }
-    let [sum, ..] = exact_spread(fractions([a, b, c]));
-    sum.cmp(&BigRational::from_integer(0.into()))
-}
-
-/// The order of the squared cosine of the angle at `c`, and a squared cosine.
-pub(crate) fn compare_angle<S: Exact>([a, b, c]: [&[S; 2]; 3], cosine: f64) -> Ordering {
-    if let (Some(p), Some(q), Some(r)) = (doubles(a), doubles(b), doubles(c)) {
-        let [sum, _, pp, qq] = spread([p, q, r]);
-        let (left, both) = (sum * sum, pp * qq);
-        let difference = left - cosine * both;
-        if difference.abs() > ERROR * both && NORMAL.contains(&pp) && NORMAL.contains(&qq) {
-            return difference.total_cmp(&0.0);
-        }
-    }
-    let [sum, pp, qq] = exact_spread(fractions([a, b, c]));
-    (&sum * &sum).cmp(&(pp * qq * fraction(cosine)))
-}
-
-/// Whether the angle at the last corner is less than the one with this squared cosine.
-fn has_less_than<S: Exact>(corners: [&[S; 2]; 3], cosine: f64) -> bool {
-    compare_angle(corners, cosine).is_gt() && scalar_product(corners).is_gt()
-}
-
-/// The order of the area of a triangle and another one.
-fn compare_area<S: Exact>([a, b, c]: [&[S; 2]; 3], most: f64) -> Ordering {
-    if most.is_infinite() {
-        return Ordering::Less;
-    }
-    if let (Some(p), Some(q), Some(r)) = (doubles(a), doubles(b), doubles(c)) {
-        let (x, y) = ((p[0] - r[0]) * (q[1] - r[1]), (p[1] - r[1]) * (q[0] - r[0]));
-        let (area, sizes) = ((x - y).abs(), x.abs() + y.abs() + 2.0 * most);
-        let difference = area - 2.0 * most;
-        if difference.abs() > ERROR * sizes && NORMAL.contains(&sizes) {
-            return difference.total_cmp(&0.0);
-        }
-    }
-    let [a, b, c] = fractions([a, b, c]);
-    let area = (&a[0] - &c[0]) * (&b[1] - &c[1]) - (&a[1] - &c[1]) * (&b[0] - &c[0]);
-    let area = if area < BigRational::from_integer(0.into()) {
-        -area
-    } else {
-        area
-    };
-    area.cmp(&(fraction(most) * fraction(2.0)))
-}
-
-/// The order of the length of a side and another one.
-pub(crate) fn compare_side<S: Exact>([a, b]: [&[S; 2]; 2], most: f64) -> Ordering {
-    if most.is_infinite() {
-        return Ordering::Less;
-    }
-    if let (Some(p), Some(q)) = (doubles(a), doubles(b)) {
-        let [_, _, square, _] = spread([p, p, q]);
-        let difference = square - most * most;
-        let sizes = square + most * most;
-        if difference.abs() > ERROR * sizes && NORMAL.contains(&sizes) {
-            return difference.total_cmp(&0.0);
-        }
-    }
-    let [_, square, _] = exact_spread(fractions([a, a, b]));
-    square.cmp(&(fraction(most) * fraction(most)))
 }

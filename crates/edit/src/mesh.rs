@@ -100,7 +100,7 @@ impl Mesh {
     }
 
     /// The corner of the next triangle around the vertex, counter-clockwise, or [`NONE`].
-    fn turned_left(&self, corner: u32) -> u32 {
+    pub(crate) fn turned_left(&self, corner: u32) -> u32 {
         match self.twin(next(corner)) {
             NONE => NONE,
             across => next(across),

@@ -6,8 +6,8 @@
 
 use sweep_cdt::crossings::Exact;
 
-use crate::bounds::{doubles, scalar_product};
 use crate::locate::Place;
+use crate::measure::{doubles, scalar_product};
 use crate::mesh::{next, prev};
 use crate::refine::Reason;
 use crate::refine::work::{Kind, OUTSIDE, Shell, Work};

@@ -6,9 +6,10 @@ use std::collections::BTreeSet;
 
 use sweep_cdt::crossings::Exact;
 
-use crate::bounds::{Broken, compare_side, scalar_product};
+use crate::bounds::Broken;
 use crate::edits::{Change, Edits};
 use crate::error::EditError;
+use crate::measure::{compare_side, scalar_product};
 use crate::mesh::number;
 use crate::refine::candidate::Candidate;
 use crate::refine::parts::Split;

@@ -5,8 +5,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use sweep_cdt::crossings::Exact;
 use sweep_cdt::interior::Interior;
 
-use crate::bounds::{Bounds, Broken, compare_angle, scalar_product, squared_cosine};
+use crate::bounds::{Bounds, Broken};
 use crate::edits::Edits;
+use crate::measure::{compare_angle, scalar_product, squared_cosine};
 use crate::mesh::{number, turned};
 use crate::refine::{Reason, RefineError, Refinement};
 use crate::triangulation::DynamicTriangulation;

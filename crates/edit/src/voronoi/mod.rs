@@ -15,12 +15,15 @@
 //!
 //! **Cost.** Some microseconds a triangle, nearly all for the fractions.
 
+mod cells;
+
 use std::fmt;
 
-use num_rational::BigRational;
 use sweep_cdt::crossings::Exact;
 use sweep_cdt::scalar::in_circle;
 use sweep_cdt::{Triangulation, VertexStars};
+
+use crate::measure::{center, exactly};
 
 /// The Voronoi diagram of the points of a triangulation.
 ///
@@ -60,12 +63,12 @@ pub struct Voronoi<'a, S> {
 pub struct Ridge {
     /// The points of the cells on its left and on its right, on the way from its first end to its second.
     pub points: [usize; 2],
-    /// The ends of the ridge, as Voronoi vertices. A ridge without a second end leaves the hull to the right of the side from its
-    /// second point to its first. Where all points lie on one line, ridges have no ends.
+    /// The ends of the ridge, as Voronoi vertices. A ridge without a second end goes on for ever in its
+    /// [direction](Voronoi::direction). Where all points lie on one line, ridges have no ends, and go on both ways.
     pub ends: [Option<usize>; 2],
 }
 
-/// Why there is no Voronoi diagram, or no cell.
+/// Why there is no Voronoi diagram, no cell, or no natural neighbours.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum VoronoiError {
@@ -73,6 +76,11 @@ pub enum VoronoiError {
     NotDelaunay {
         /// The side's vertices, lower number first.
         side: [usize; 2],
+    },
+    /// Natural neighbours are those of points alone, and there is an edge.
+    Edge {
+        /// The lowest number of an edge.
+        edge: usize,
     },
     /// The points are not those of the triangulation.
     OtherInput,
@@ -95,6 +103,12 @@ impl fmt::Display for VoronoiError {
                 write!(
                     f,
                     "an edge keeps side {a}-{b} from being Delaunay: triangulate the points without edges"
+                )
+            }
+            VoronoiError::Edge { edge } => {
+                write!(
+                    f,
+                    "there is edge {edge}: natural neighbours are those of points without edges"
                 )
             }
             VoronoiError::OtherInput => f.write_str("the triangulation is not one of these points"),
@@ -130,7 +144,8 @@ impl<'a, S: Exact> Voronoi<'a, S> {
             if circle == t {
                 first[t] = vertices.len();
                 let center = center(result.triangle(t).map(|v| &points[v]));
-                vertices.push(center.ok_or(VoronoiError::OtherInput)?);
+                let center = center.ok_or(VoronoiError::OtherInput)?;
+                vertices.push(center.each_ref().map(S::nearest));
             }
         }
         let vertex = |t: usize| first[circles[t]];
@@ -169,51 +184,25 @@ impl<'a, S: Exact> Voronoi<'a, S> {
         })
     }
 
-    /// The part of a point's cell inside a convex polygon, whose corners are given counter-clockwise: its corners, from
-    /// one of the polygon's where there is one. Empty, if they share no area.
+    /// The direction from the first end of a ridge to its second: to the right of the way from its second point to its
+    /// first, and as long. Of doubles each coordinate is rounded once.
     ///
-    /// # Errors
-    /// [`VoronoiError::NoPoint`], [`VoronoiError::NonFiniteCorner`].
-    pub fn cell_within(
-        &self,
-        point: usize,
-        polygon: &[[S; 2]],
-    ) -> Result<Vec<[S; 2]>, VoronoiError> {
-        let exactly = |point: &[S; 2]| point.each_ref().map(S::to_fraction);
-        let own = self
-            .points
-            .get(point)
-            .ok_or(VoronoiError::NoPoint { point })?;
-        let own = exactly(own);
-        let is_finite = |corner: &[S; 2]| corner.iter().all(S::is_finite);
-        if let Some(corner) = polygon.iter().position(|corner| !is_finite(corner)) {
-            return Err(VoronoiError::NonFiniteCorner { corner });
-        }
-        let mut corners: Vec<[BigRational; 2]> = polygon.iter().map(exactly).collect();
-        for &other in &self.neighbors[point] {
-            let other = exactly(&self.points[other]);
-            // Above 0 where a place is nearer to the other point.
-            let beyond = |place: &[BigRational; 2]| distance(place, &own) - distance(place, &other);
-            let mut kept = Vec::new();
-            for (i, a) in corners.iter().enumerate() {
-                let b = &corners[(i + 1) % corners.len()];
-                let (at_a, at_b) = (beyond(a), beyond(b));
-                let zero = fraction(0);
-                if at_a <= zero {
-                    kept.push(a.clone());
-                }
-                if at_a < zero && at_b > zero || at_a > zero && at_b < zero {
-                    let part = &at_a / (&at_a - &at_b);
-                    kept.push([0, 1].map(|k| &a[k] + (&b[k] - &a[k]) * &part));
-                }
-            }
-            corners = kept;
-        }
-        if corners.len() < 3 {
-            return Ok(Vec::new());
-        }
-        let nearest = |place: &[BigRational; 2]| place.each_ref().map(S::nearest);
-        Ok(corners.iter().map(nearest).collect())
+    /// ```
+    /// use sweep_cdt_edit::Voronoi;
+    ///
+    /// let points = [[0.0, 0.0], [4.0, 0.0], [2.0, 3.0]];
+    /// let result = sweep_cdt::triangulate(&points, &[])?;
+    /// let voronoi = Voronoi::new(&result, &points)?;
+    /// let below = voronoi.ridges.iter().find(|ridge| ridge.points == [1, 0]).expect("a ridge");
+    /// assert_eq!((below.ends[1], voronoi.direction(below)), (None, [0.0, -4.0]));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Panics
+    /// If the ridge is not one of this diagram, and has a point with a greater number than there are.
+    pub fn direction(&self, ridge: &Ridge) -> [S; 2] {
+        let [[bx, by], [ax, ay]] = ridge.points.map(|v| exactly(&self.points[v]));
+        [S::nearest(&(by - ay)), S::nearest(&(ax - bx))]
     }
 }
 
@@ -273,27 +262,4 @@ fn cell(stars: &VertexStars<'_>, v: usize, vertex: impl Fn(usize) -> usize) -> V
         around.pop();
     }
     around
-}
-
-fn fraction(n: i64) -> BigRational {
-    BigRational::from_integer(n.into())
-}
-
-fn distance(p: &[BigRational; 2], q: &[BigRational; 2]) -> BigRational {
-    let [x, y] = [0, 1].map(|k| &p[k] - &q[k]);
-    &x * &x + &y * &y
-}
-
-/// The centre of the circle through three points that turn left; of others none is made.
-fn center<S: Exact>(corners: [&[S; 2]; 3]) -> Option<[S; 2]> {
-    let [p, q, r] = corners.map(|corner| corner.each_ref().map(S::to_fraction));
-    let [u, w] = [q, r].map(|corner| [0, 1].map(|k| &corner[k] - &p[k]));
-    let [uu, ww] = [&u, &w].map(|v| &v[0] * &v[0] + &v[1] * &v[1]);
-    let area = (&u[0] * &w[1] - &u[1] * &w[0]) * fraction(2);
-    if area <= fraction(0) {
-        return None;
-    }
-    let x = &p[0] + (&w[1] * &uu - &u[1] * &ww) / &area;
-    let y = &p[1] + (&u[0] * &ww - &w[0] * &uu) / &area;
-    Some([S::nearest(&x), S::nearest(&y)])
 }
