@@ -14,6 +14,10 @@ use crate::points::Points;
 use crate::region::Piece;
 use crate::triangulation::DynamicTriangulation;
 
+/// So many edits, if there are not four times as many triangles, are made by one sweep of all: removals, points and edges
+/// would each sweep nearly all of them.
+const MANY: usize = 64;
+
 /// Edits made at once. What is removed goes first.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Edits<S> {
@@ -210,14 +214,38 @@ impl<S: Scalar + Clone> DynamicTriangulation<S> {
         taken: &[(usize, [u32; 2])],
         vertices: &mut Vertices,
     ) -> Result<(), EditError> {
-        self.open(taken)?;
         let gone = self.gone(&edits.remove_points);
-        self.remove_vertices(&gone)?;
+        let [comes, goes] = [
+            edits.points.len() + edits.edges.len(),
+            edits.remove_points.len() + taken.len(),
+        ];
+        if comes + goes >= MANY && 4 * (comes + goes) >= self.mesh.len() {
+            self.clear();
+        } else {
+            self.open(taken)?;
+            self.remove_vertices(&gone)?;
+        }
         if self.mesh.len() == 0 {
             return self.begin_anew(edits, &gone, vertices);
         }
         self.insert_points(&edits.points, vertices)?;
         self.insert_edges(&edits.edges, vertices)
+    }
+
+    /// Removes all triangles.
+    fn clear(&mut self) {
+        let all: Vec<u32> = self.mesh.all().collect();
+        for v in all
+            .iter()
+            .filter_map(|&t| self.mesh.triangle(t))
+            .flatten()
+            .collect::<Vec<_>>()
+        {
+            self.mesh.set_at(v, NONE);
+        }
+        for t in all {
+            self.mesh.kill(t);
+        }
     }
 
     /// Takes edges away from the sides that they cover, and sweeps what is not Delaunay then.

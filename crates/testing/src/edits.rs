@@ -2,7 +2,7 @@
 //!
 //! The fresh run is judged elsewhere; it shares no state with the triangulation that was edited.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::{Error, triangulate};
@@ -104,8 +104,8 @@ fn assert_refused<S: Scalar + Clone>(
 }
 
 /// Makes the first batch of edits, and then so many others of at most so many points and edges each. Compares the
-/// triangulation with a fresh run after each. `point` gives new points. Returns how many batches were made and how many
-/// were refused.
+/// triangulation with a fresh run after each. `point` gives new points. Returns how many batches were made, how many
+/// were refused, and how many edits were in those that were made.
 ///
 /// # Panics
 /// If they differ.
@@ -115,9 +115,9 @@ pub fn history<S: Scalar + Clone>(
     [batches, most]: [usize; 2],
     what: &str,
     mut point: impl FnMut(&mut Random) -> [S; 2],
-) -> [usize; 2] {
+) -> [usize; 3] {
     let mut edited = DynamicTriangulation::new();
-    let mut counts = [0; 2];
+    let mut counts = [0; 3];
     let mut first = Some(first);
     for step in 0..=batches {
         let what = format!("{what}, step {step}");
@@ -127,6 +127,10 @@ pub fn history<S: Scalar + Clone>(
         match edited.apply(edits.clone()) {
             Ok(change) => {
                 counts[0] += 1;
+                counts[2] += edits.points.len()
+                    + edits.edges.len()
+                    + edits.remove_points.len()
+                    + edits.remove_edges.len();
                 assert_eq!(change.points.len(), edits.points.len(), "{what}");
                 assert_eq!(change.edges.len(), edits.edges.len(), "{what}");
                 // A vertex has another name if its first point went and an equal one stays.
@@ -152,6 +156,9 @@ pub fn history<S: Scalar + Clone>(
     counts
 }
 
+/// Batches of more edits have no long edges and remove no ends of edges: nearly all would be refused.
+const MANY: usize = 20;
+
 /// A batch of edits, which may be refused.
 fn batch<S: Scalar + Clone>(
     random: &mut Random,
@@ -175,6 +182,13 @@ fn batch<S: Scalar + Clone>(
     if random.one_in(3) {
         edits.remove_points = some(random, &numbers);
     }
+    if most > MANY {
+        let stays = edited
+            .edges()
+            .filter(|(e, _)| !edits.remove_edges.contains(e));
+        let used: BTreeSet<usize> = stays.flat_map(|(_, ends)| ends).collect();
+        edits.remove_points.retain(|p| !used.contains(p));
+    }
     let [next, _] = edited.next_numbers();
     let mut ends = numbers;
     ends.extend(next..next + edits.points.len());
@@ -184,7 +198,13 @@ fn batch<S: Scalar + Clone>(
     if random.one_in(2) && !ends.is_empty() {
         let count = random.below(most + 1);
         edits.edges = (0..count)
-            .map(|_| [random.pick(&ends), random.pick(&ends)])
+            .map(|_| {
+                let end = random.pick(&ends);
+                let mut others = edited.neighbors(end);
+                others.retain(|p| !edits.remove_points.contains(p));
+                let is_side = most > MANY && !others.is_empty();
+                [end, random.pick(if is_side { &others } else { &ends })]
+            })
             .collect();
     }
     edits

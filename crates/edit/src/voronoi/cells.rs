@@ -72,7 +72,7 @@ impl<S: Exact> Voronoi<'_, S> {
             triangles.push(place.ok_or(VoronoiError::NonFiniteCorner { corner })?);
         }
         // No triangle beside the cell's part of the box around the domain need be cut.
-        let Some(domain) = limits(triangles.iter().copied()) else {
+        let Some(domain) = limits(&triangles) else {
             return self.cut(point, Vec::new()).map(|_| Vec::new());
         };
         let [[left, right], [low, high]] = domain;
@@ -81,12 +81,12 @@ impl<S: Exact> Voronoi<'_, S> {
         let part = self.cut(point, bounds.to_vec())?;
         // A rounding that does not fall keeps what touches.
         let part: Vec<[S; 2]> = rounded(&part);
-        let Some(part) = limits(part.iter()) else {
+        let Some(part) = limits(&part.iter().collect::<Vec<_>>()) else {
             return Ok(Vec::new());
         };
         let mut pieces = Vec::new();
         for triangle in triangles.chunks(3) {
-            let own = limits(triangle.iter().copied()).expect("three corners");
+            let own = limits(triangle).expect("three corners");
             let is_beside = |k: usize| {
                 let ([low, high], [least, most]) = (own[k], part[k]);
                 high.compare(least).is_lt() || low.compare(most).is_gt()
@@ -138,11 +138,9 @@ fn rounded<S: Exact>(places: &[Place]) -> Vec<[S; 2]> {
 }
 
 /// The least and the greatest x, and so for y.
-fn limits<'p, S: Exact + 'p>(
-    places: impl Iterator<Item = &'p [S; 2]> + Clone,
-) -> Option<[[&'p S; 2]; 2]> {
+fn limits<'p, S: Exact>(places: &[&'p [S; 2]]) -> Option<[[&'p S; 2]; 2]> {
     let along = |k: usize| {
-        let values = places.clone().map(move |place| &place[k]);
+        let values = places.iter().map(|place| &place[k]);
         let least = values.clone().min_by(|x, y| x.compare(y))?;
         Some([least, values.max_by(|x, y| x.compare(y))?])
     };
