@@ -23,6 +23,7 @@ fn looked_at(family: &Crossed, count: usize) -> [f64; 2] {
 /// that looked at each pair of edges would look at a thousand. How this grows up to 512,000 edges counts
 /// `cargo bench -p sweep-cdt-benches --bench crossings`.
 #[test]
+#[ignore = "14 seconds: `.ci/nightly` runs it"]
 fn little_is_looked_at_for_each_edge_and_pair() {
     let mut families = 0;
     for family in families::crossed() {

@@ -233,6 +233,7 @@ fn circles_that_products_lose() {
 
 /// Numbers above the doubles, some of which become the same one.
 #[test]
+#[ignore = "5 seconds: `.ci/nightly` runs it"]
 fn points_beyond_doubles() {
     let mut random = Random::new(16);
     for _ in 0..300 {

@@ -75,6 +75,7 @@ fn lattice(width: usize, height: usize) -> Input {
 }
 
 #[test]
+#[ignore = "23 seconds: `.ci/nightly` runs it"]
 fn memory_is_a_bound_for_points() {
     let folder = folder(&[]);
     let input = Input::generated("uniform", 300_000, 1);
