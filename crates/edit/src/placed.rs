@@ -11,8 +11,11 @@ use crate::region::{Border, Piece, Region};
 /// The result of a call, and what of it lies inside the border.
 pub(crate) struct Placed<'a> {
     swept: &'a Triangulation,
-    /// The constrained sides with their ends, sorted.
-    sides: Vec<([usize; 2], [usize; 2])>,
+    /// The constrained sides by the vertex on their right end, as the other end and where they stand; those of one vertex
+    /// sorted.
+    sides: Vec<(usize, [usize; 2])>,
+    /// For each vertex where its constrained sides begin in the list.
+    first: Vec<usize>,
     /// For each side of the border, as ends in the call, where the triangle inside it stands.
     border: Vec<[usize; 2]>,
     is_kept: Vec<bool>,
@@ -21,17 +24,33 @@ pub(crate) struct Placed<'a> {
 impl<'a> Placed<'a> {
     pub(crate) fn new(
         swept: &'a Triangulation,
+        vertices: usize,
         border: &[Border],
         local: impl Fn(u32) -> usize,
     ) -> Placed<'a> {
-        let sides = (0..swept.len()).flat_map(|t| [0, 1, 2].map(|k| (swept.side(t, k), [t, k])));
-        let mut sides: Vec<_> = sides
-            .filter(|&(_, [t, k])| swept.is_constrained(t, k))
-            .collect();
-        sides.sort_unstable();
+        let sides = (0..swept.len()).flat_map(|t| [0, 1, 2].map(|k| [t, k]));
+        let constrained = sides.filter(|&[t, k]| swept.is_constrained(t, k));
+        // Where the sides of each vertex end, and then, as they come from behind, where they begin.
+        let mut first = vec![0; vertices + 1];
+        for [t, k] in constrained.clone() {
+            first[swept.side(t, k)[0]] += 1;
+        }
+        for v in 0..vertices {
+            first[v + 1] += first[v];
+        }
+        let mut sides = vec![(0, [0; 2]); first[vertices]];
+        for [t, k] in constrained {
+            let [a, b] = swept.side(t, k);
+            first[a] -= 1;
+            sides[first[a]] = (b, [t, k]);
+        }
+        for of_vertex in first.windows(2).filter(|of| of[1] - of[0] > 1) {
+            sides[of_vertex[0]..of_vertex[1]].sort_unstable();
+        }
         let mut placed = Placed {
             swept,
             sides,
+            first,
             border: border.iter().map(|side| side.ends.map(&local)).collect(),
             is_kept: vec![border.is_empty(); swept.len()],
         };
@@ -40,9 +59,10 @@ impl<'a> Placed<'a> {
     }
 
     /// The triangle and the side with these ends on its left, if it is constrained.
-    fn side(&self, ends: [usize; 2]) -> Option<[usize; 2]> {
-        let found = self.sides.binary_search_by_key(&ends, |&(ends, _)| ends);
-        found.ok().map(|i| self.sides[i].1)
+    fn side(&self, [a, b]: [usize; 2]) -> Option<[usize; 2]> {
+        let sides = &self.sides[self.first[a]..self.first[a + 1]];
+        let found = sides.binary_search_by_key(&b, |&(end, _)| end);
+        found.ok().map(|i| sides[i].1)
     }
 
     fn flood(&mut self) {

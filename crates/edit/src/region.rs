@@ -83,7 +83,8 @@ pub(crate) struct Border {
 
 /// The border of a region, and the parts of edges inside it.
 pub(crate) fn outlined(mesh: &Mesh, region: &Region) -> (Vec<Border>, Vec<Piece>) {
-    let (mut border, mut pieces) = (Vec::new(), Vec::new());
+    let most = region.triangles.len() + region.beyond.len() + 2;
+    let (mut border, mut pieces) = (Vec::with_capacity(most), Vec::new());
     let sides = region.triangles.iter().flat_map(|&t| 3 * t..3 * t + 3);
     for side in sides {
         let (ends, across, covers) = (mesh.ends(side), mesh.twin(side), mesh.covers(side));

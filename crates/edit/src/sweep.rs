@@ -29,6 +29,9 @@ use crate::placed::Placed;
 use crate::region::{Piece, outlined};
 use crate::triangulation::DynamicTriangulation;
 
+/// The place in a call of a vertex that goes.
+const GONE: u32 = NONE - 1;
+
 impl<S: Scalar + Clone> DynamicTriangulation<S> {
     /// Sweeps the region anew, without the vertices `gone` (sorted), with the vertices `new` and the parts `pieces` of new
     /// edges. Returns the new triangles, and the sides across the border. The region is empty afterwards.
@@ -39,21 +42,31 @@ impl<S: Scalar + Clone> DynamicTriangulation<S> {
         pieces: &[Piece],
     ) -> Result<[Vec<u32>; 2], EditError> {
         let (border, old) = outlined(&self.mesh, &self.region);
-        let mut all: Vec<Piece> = self.joined(old, gone);
+        let mut all = if gone.is_empty() {
+            old
+        } else {
+            self.joined(old, gone)
+        };
         all.extend(pieces);
 
-        // The vertices of the call, old ones first.
-        let mut vertices = Vec::new();
+        // The vertices of the call, each once, old ones first.
+        self.local.resize(self.points.bound(), NONE);
         let triangles = self.region.triangles.iter();
         let corners = triangles.filter_map(|&t| self.mesh.triangle(t)).flatten();
-        vertices.extend(corners.chain(border.iter().flat_map(|side| side.ends)));
-        vertices.sort_unstable();
-        vertices.dedup();
-        vertices.retain(|v| gone.binary_search(v).is_err());
-        vertices.extend(new);
-        self.local.resize(self.points.bound(), NONE);
-        for (i, &v) in vertices.iter().enumerate() {
-            self.local[v as usize] = number(i);
+        let corners = corners.chain(border.iter().flat_map(|side| side.ends));
+        for v in corners.clone().chain(new.iter().copied()) {
+            self.local[v as usize] = NONE;
+        }
+        for &v in gone {
+            self.local[v as usize] = GONE;
+        }
+        let mut vertices =
+            Vec::with_capacity(self.region.triangles.len() + border.len() + new.len());
+        for v in corners.chain(new.iter().copied()) {
+            if self.local[v as usize] == NONE {
+                self.local[v as usize] = number(vertices.len());
+                vertices.push(v);
+            }
         }
         let local = |v: u32| self.local[v as usize] as usize;
         let points: Vec<[S; 2]> = vertices
@@ -80,7 +93,7 @@ impl<S: Scalar + Clone> DynamicTriangulation<S> {
             }
             Err(error) => return Err(EditError::Refused { error }),
         };
-        let placed = Placed::new(swept, &border, local);
+        let placed = Placed::new(swept, vertices.len(), &border, local);
         let found = placed.put(&mut self.mesh, &self.region, &vertices, &border, &all);
         for &v in new {
             let first = vertices[swept.representative(local(v))];
