@@ -10,7 +10,8 @@ use std::io;
 use serde::Serialize;
 use sweep_cdt::crossings::{Crossing, Exact, SplitError, crossings};
 use sweep_cdt::{Error, Pslg, Stats, Triangulation};
-use sweep_cdt_formats::{Coordinate, GraphFile, Splitting};
+use sweep_cdt_engine::remarks;
+use sweep_cdt_formats::{Coordinate, GraphFile, Remark, Splitting};
 
 use super::settings::Asked;
 
@@ -67,6 +68,8 @@ struct Summary {
     displacement: Option<f64>,
     /// Why the rule says nothing of what is inside, so that all triangles are drawn.
     domain_refused: Option<String>,
+    /// What is ignored, merged, missing, chosen or guessed.
+    remarks: Vec<String>,
     /// Nothing, if edges cross and are not split.
     stats: Option<Stats>,
 }
@@ -104,15 +107,16 @@ impl Picture {
     ) -> Picture {
         let mut domain_refused = None;
         let mut shown = Shown::default();
+        let mut all = pieces.remarks.clone();
         if let Some((result, _)) = &run {
-            shown = match settings.domain(pieces, result) {
-                None => Shown::new(result, |_| true),
-                Some(Ok(domain)) => Shown::new(result, |t| domain.is_inside(t)),
-                Some(Err(error)) => {
-                    domain_refused = Some(pieces.interior_as_numbered(error).to_string());
-                    Shown::new(result, |_| true)
-                }
-            };
+            let domain = settings.domain(pieces, result).transpose();
+            let domain = domain.unwrap_or_else(|error| {
+                domain_refused = Some(pieces.interior_as_numbered(error).to_string());
+                None
+            });
+            let is_drawn = |t| domain.as_ref().is_none_or(|domain| domain.is_inside(t));
+            shown = Shown::new(result, is_drawn);
+            all.extend(remarks(pieces, result, domain.as_ref()));
         }
         let summary = Summary {
             points: graph.points.len(),
@@ -124,6 +128,7 @@ impl Picture {
             crossings: crossings.len(),
             displacement: None,
             domain_refused,
+            remarks: all.iter().map(Remark::to_string).collect(),
             stats: run.map(|(_, stats)| stats),
         };
         let near = |point: &[S; 2]| point.each_ref().map(S::approx);

@@ -72,6 +72,12 @@ function describe(found) {
   element("doing").textContent = `Computed in ${found.milliseconds.toFixed(0)} ms`;
   element("summary").textContent = summaryOf(answer);
   say("crossings", crossingsOf(answer));
+  const remarks = answer.summary.remarks.map((words) => {
+    const item = document.createElement("li");
+    item.textContent = words;
+    return item;
+  });
+  element("remarks").replaceChildren(...remarks);
   const rows = countersOf(answer).map(([name, value]) => {
     const row = document.createElement("tr");
     const [head, cell] = [document.createElement("th"), document.createElement("td")];

@@ -133,6 +133,37 @@ fn files_are_dropped() {
     assert_quiet(&browser);
 }
 
+#[test]
+fn remarks_are_said() {
+    let Some((browser, _folder)) = visit([1280, 800]) else {
+        return;
+    };
+    let mut remarks = |name, text| {
+        drop_file(&browser, name, text);
+        said(&browser);
+        let found = browser.run(
+            "return [...document.querySelectorAll('#remarks li')].map((item) => item.textContent)",
+        );
+        let found = found.as_array().expect("a list").clone();
+        found
+            .iter()
+            .map(|text| text.as_str().expect("a text").to_owned())
+            .collect::<Vec<_>>()
+    };
+    let mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\n";
+    assert_eq!(remarks("one.obj", mesh), ["ignored: 1 line of `vt`"]);
+    let nothing = remarks("none.node", "0 2 0 0\n");
+    assert!(
+        matches!(&nothing[..], [why] if why.starts_with("no triangles")),
+        "{nothing:?}"
+    );
+    assert_eq!(
+        remarks("three.node", "3 2 0 0\n0 0 0\n1 1 0\n2 0 1\n"),
+        [""; 0]
+    );
+    assert_quiet(&browser);
+}
+
 /// The steps of the input that is drawn, in the page that the command makes of it.
 #[test]
 fn the_sweep_of_a_drawing_plays() {
