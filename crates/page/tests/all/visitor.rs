@@ -138,7 +138,7 @@ fn remarks_are_said() {
     let Some((browser, _folder)) = visit([1280, 800]) else {
         return;
     };
-    let mut remarks = |name, text| {
+    let remarks = |name, text| {
         drop_file(&browser, name, text);
         said(&browser);
         let found = browser.run(
