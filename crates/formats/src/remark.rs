@@ -117,6 +117,18 @@ pub enum Remark {
         /// How many triangles more than one polygon covers.
         triangles: usize,
     },
+    /// Triangles of a refined mesh break a bound still.
+    Unrefined {
+        /// How many do for this reason.
+        triangles: usize,
+        /// The reason, in words.
+        reason: String,
+    },
+    /// Equal points share a cell.
+    SharedCells {
+        /// How many are equal to a point before them.
+        points: usize,
+    },
     /// There are no triangles.
     NoTriangles(NoTriangles),
     /// There are triangles, and none is inside.
@@ -167,12 +179,14 @@ impl Remark {
             Remark::OpenTriangles { .. } => "open-triangles",
             Remark::OffTerrain { .. } => "off-terrain",
             Remark::CoveredTwice { .. } => "covered-twice",
+            Remark::Unrefined { .. } => "unrefined",
+            Remark::SharedCells { .. } => "shared-cells",
             Remark::NoTriangles(_) => "no-triangles",
             Remark::NothingInside { .. } => "nothing-inside",
         }
     }
 
-    /// Whether something of the file gets lost. A strict run refuses that.
+    /// Whether something of the file gets lost, or is not as it was asked for. A strict run refuses that.
     pub fn is_loss(&self) -> bool {
         matches!(
             self,
@@ -181,6 +195,7 @@ impl Remark {
                 | Remark::Conflict { .. }
                 | Remark::NotWritten { .. }
                 | Remark::Promise { .. }
+                | Remark::Unrefined { .. }
         )
     }
 
@@ -254,6 +269,12 @@ impl Remark {
                  even-odd, and as inside by nonzero",
                 of(*edges, "edge is", "edges are")
             ),
+            Remark::Interpolated {
+                heights,
+                outside: 0,
+            } => {
+                format!("{heights} heights are interpolated")
+            }
             Remark::Interpolated { heights, outside } => format!(
                 "{heights} heights are interpolated, {outside} vertices lie outside of the hull of those with heights"
             ),
@@ -270,6 +291,17 @@ impl Remark {
             Remark::CoveredTwice { triangles } => format!(
                 "polygons overlap: {triangles} triangles are covered more than once, and have the first feature that does"
             ),
+            Remark::Unrefined { triangles, reason } => {
+                let of = of(*triangles, "triangle breaks", "triangles break");
+                format!("{of} a bound still: {reason}")
+            }
+            Remark::SharedCells { points } => {
+                let [one, many] = [
+                    "equals another one, and shares its cell",
+                    "equal others, and share their cells",
+                ];
+                of(*points, &format!("point {one}"), &format!("points {many}"))
+            }
             Remark::NoTriangles(why) => format!("no triangles: {why}"),
             Remark::NothingInside { edges: 0, .. } => {
                 "no triangles are inside: there are no edges".to_owned()
