@@ -4,6 +4,11 @@
 
 use sweep_cdt::crossings::Exact;
 use sweep_cdt_edit::{Bounds, BoundsError, Broken};
+use sweep_cdt_formats::Coordinate;
+
+/// Advice where nothing but bounds is wrong.
+pub const OUT_OF_BOUNDS: &str =
+    "only bounds are broken: refine the input with them, or ask for less";
 
 /// A triangle that breaks a bound.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,16 +49,16 @@ impl Violator {
             Broken::Angle => "less than",
             _ => "more than",
         };
-        format!("triangle {number} has {has}, {than} {limit}")
+        format!("triangle {number} has {has}, {than} {}", limit.text())
     }
 }
 
 /// A size of a triangle in words.
 pub fn size_in_words(bound: Broken, size: f64) -> String {
     match bound {
-        Broken::Angle => format!("an angle of {size} degrees"),
-        Broken::Area => format!("an area of {size}"),
-        _ => format!("a side of length {size}"),
+        Broken::Angle => format!("an angle of {} degrees", size.text()),
+        Broken::Area => format!("an area of {}", size.text()),
+        _ => format!("a side of length {}", size.text()),
     }
 }
 

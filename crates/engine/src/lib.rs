@@ -21,7 +21,7 @@ mod verdict;
 mod wanted;
 
 pub use advice::{Advice, Fit, How, Setting, Several};
-pub use bounds::{Violator, broken, size, size_in_words, violators, with_bounds};
+pub use bounds::{OUT_OF_BOUNDS, Violator, broken, size, size_in_words, violators, with_bounds};
 pub use cells::{Clip, cells};
 pub use inside::{Input, Inside};
 pub use question::{Question, Triangulate, Verify};
