@@ -129,13 +129,13 @@ impl Voronoi {
         match (points, clip) {
             (Input::Doubles(points), None) => self.write(points, None, targets, &read),
             (Input::Rationals(points), None) => self.write(points, None, targets, &read),
-            (Input::Doubles(points), Some((name, Input::Doubles(clip)))) => {
-                self.write(points, Some((name, clip)), targets, &read)
+            (Input::Doubles(points), Some((clip_name, Input::Doubles(clip)))) => {
+                self.write(points, Some(&(clip_name, clip)), targets, &read)
             }
             (points, Some((clip_name, clip))) => {
                 let points = as_rationals(&name, points)?;
                 let clip = as_rationals(&clip_name, clip)?;
-                self.write(points, Some((clip_name, clip)), targets, &read)
+                self.write(points, Some(&(clip_name, clip)), targets, &read)
             }
         }
     }
@@ -143,7 +143,7 @@ impl Voronoi {
     fn write<S: Coordinate>(
         &self,
         mut file: GraphFile<S>,
-        clip: Option<(String, GraphFile<S>)>,
+        clip: Option<&(String, GraphFile<S>)>,
         targets: Vec<(Format, Destination)>,
         read: &FilesRead,
     ) -> Result<(), Failure> {
@@ -165,21 +165,17 @@ impl Voronoi {
             };
             Failure::Error(format!("{name}: {error}{hint}"))
         })?;
-        let domain = match &clip {
-            Some((name, clip)) => Some((clip, triangulated(name, clip)?)),
-            None => None,
-        };
-        let domain = match &domain {
-            Some((clip, result)) => {
-                let inside = default_of(clip).interior(&Asked::from(*clip), result);
-                let inside = inside.map_err(|error| {
-                    let name = clip_name(&self.clip);
-                    Failure::Error(format!("{name}: {}", located_interior(clip, error)))
-                })?;
-                Some((inside, &clip.graph.points[..]))
-            }
-            None => None,
-        };
+        let of_clip = clip
+            .map(|(name, clip)| triangulated(name, clip))
+            .transpose()?;
+        let domain = clip.zip(of_clip.as_ref()).map(|((name, clip), result)| {
+            let inside = default_of(clip).interior(&Asked::from(clip), result);
+            let inside = inside.map_err(|error| {
+                Failure::Error(format!("{name}: {}", located_interior(clip, error)))
+            })?;
+            Ok::<_, Failure>((inside, &clip.graph.points[..]))
+        });
+        let domain = domain.transpose()?;
         let around = Clip::around(&file.graph.points);
         let clip = match (&self.clip, &domain) {
             (_, Some((inside, points))) => Some(Clip::Inside(inside, points)),
@@ -206,14 +202,6 @@ impl Voronoi {
             read.say(&name, &remarks(&file, &result, None))?;
         }
         Ok(())
-    }
-}
-
-/// The name of the file that cells are cut to.
-fn clip_name(clip: &Option<ClipArgument>) -> String {
-    match clip {
-        Some(ClipArgument::File(file)) => file.input_name(),
-        _ => String::new(),
     }
 }
 
