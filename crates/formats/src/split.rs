@@ -20,9 +20,9 @@ pub struct Splitting {
     pub vertices: usize,
     /// How many edges there were, and how many pieces there are.
     pub edges: [usize; 2],
-    /// How many rounds it took, as [`Split::rounds`].
+    /// How many rounds it took, as [`Split::rounds`](sweep_cdt::crossings::Split::rounds).
     pub rounds: usize,
-    /// How far an edge moved at most, as [`Split::displacement`].
+    /// How far an edge moved at most, as [`Split::displacement`](sweep_cdt::crossings::Split::displacement).
     pub displacement: f64,
 }
 
