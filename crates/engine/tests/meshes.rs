@@ -259,10 +259,15 @@ fn parts_and_new_vertices_have_what_the_file_says() {
 #[test]
 fn a_hull_that_rounding_bends_is_refined() {
     let points = vec![[0.1, 0.2], [7.3, 1.9], [5.7, 6.1], [0.3, 4.9]];
-    let file = GraphFile::from(Pslg {
+    let heights = Column::heights(points.iter().map(|[x, y]| x - y).collect());
+    let graph = Pslg {
         points,
         ..Pslg::default()
-    });
+    };
+    let file = GraphFile {
+        columns: vec![heights],
+        ..graph.into()
+    };
     let result = triangulate(&file.graph.points, &[]).expect("points");
     let whole = Interior::whole(&result);
     let bounds = Bounds {
@@ -282,4 +287,9 @@ fn a_hull_that_rounding_bends_is_refined() {
         violators(&bounds, &refined.file.graph.points, &refined.triangles),
         Ok(Vec::new())
     );
+    // New vertices beside the hull have heights, too.
+    let heights = refined.file.heights().expect("heights");
+    for ([x, y], height) in refined.file.graph.points.iter().zip(&heights.values) {
+        assert!((height - (x - y)).abs() < 1e-12, "{x} {y} {height}");
+    }
 }
