@@ -70,6 +70,36 @@ impl<'a> Interior<'a> {
         Interior::new(result, vec![1; result.len()], |_| true)
     }
 
+    /// The interior of a finer triangulation, where `label` says of each triangle by its number whether it is inside, and
+    /// then which of the regions of this interior it has. The depth inside is 1.
+    ///
+    /// ```
+    /// use sweep_cdt::interior::Interior;
+    ///
+    /// let triangle = [[0, 0], [8, 0], [0, 8], [2, 2]];
+    /// let coarse = sweep_cdt::triangulate(&triangle[..3], &[])?;
+    /// let fine = sweep_cdt::triangulate(&triangle, &[])?;
+    /// let carried = Interior::whole(&coarse).carried(&fine, |t| (t > 0).then_some(None));
+    /// assert_eq!(carried.inside().collect::<Vec<_>>(), [1, 2]);
+    /// # Ok::<(), sweep_cdt::Error>(())
+    /// ```
+    #[must_use]
+    pub fn carried<'b>(
+        &self,
+        result: &'b Triangulation,
+        label: impl Fn(usize) -> Option<Option<usize>>,
+    ) -> Interior<'b> {
+        let labels: Vec<Option<Option<usize>>> = (0..result.len()).map(label).collect();
+        let depths = labels.iter().map(|label| i32::from(label.is_some()));
+        let interior = Interior::new(result, depths.collect(), |depth| depth == 1);
+        let regions = labels.iter().map(|label| label.flatten());
+        Interior {
+            is_of_polygons: self.is_of_polygons,
+            regions: regions.filter(|_| self.has_regions()).collect(),
+            ..interior
+        }
+    }
+
     /// The triangulation of the whole hull.
     pub fn triangulation(&self) -> &'a Triangulation {
         self.result

@@ -7,18 +7,22 @@
 //! it quietly.
 
 mod advice;
+mod bounded;
 mod completed;
 mod contours;
 mod crossings;
 mod generate;
 mod heights;
+mod mesh;
 mod record;
+mod refine;
 mod replay;
 mod shared;
 mod stream;
 mod trace;
 mod triangulate;
 mod verify;
+mod voronoi;
 
 use std::io::{self, Write};
 use std::process::ExitCode;
@@ -44,6 +48,8 @@ enum Command {
     Triangulate(triangulate::Triangulate),
     Verify(verify::Verify),
     Stream(stream::StreamCommand),
+    Refine(refine::Refine),
+    Voronoi(voronoi::Voronoi),
     Crossings(crossings::Crossings),
     Contours(contours::Contours),
     Heights(heights::Heights),
@@ -62,6 +68,8 @@ fn main() -> ExitCode {
         Command::Triangulate(command) => ("triangulate", command.run()),
         Command::Verify(command) => ("verify", command.run()),
         Command::Stream(command) => ("stream", command.run()),
+        Command::Refine(command) => ("refine", command.run()),
+        Command::Voronoi(command) => ("voronoi", command.run()),
         Command::Crossings(command) => ("crossings", command.run()),
         Command::Contours(command) => ("contours", command.run()),
         Command::Heights(command) => ("heights", command.run()),

@@ -12,6 +12,7 @@ use sweep_cdt::verify::{Depth, Depths};
 use sweep_cdt_engine::{Answer, Inside, Verdict, counts};
 use sweep_cdt_formats::{Coordinate, GraphFile, Source, Triangles, json_coordinate};
 
+use crate::bounded::{self, Bounded};
 use crate::shared::verification::{reached, report, violations};
 
 /// A file by name and contents.
@@ -49,6 +50,7 @@ pub(crate) struct Subject<'a, S> {
     pub(crate) verdict: Verdict,
     pub(crate) file: &'a GraphFile<S>,
     pub(crate) triangles: &'a Triangles,
+    pub(crate) bounds: Option<&'a Bounded<'a, S>>,
 }
 
 #[derive(Serialize)]
@@ -74,6 +76,8 @@ struct Record<'a> {
     violations_found: usize,
     depths: Measured,
     violations: Vec<Item>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    bounds: Option<bounded::Record>,
 }
 
 /// How the vertices of the result were matched with those of the input.
@@ -181,6 +185,7 @@ pub(crate) fn write<S: Coordinate>(
         violations_found: found,
         depths: measured(answer),
         violations: list.iter().map(item).collect(),
+        bounds: subject.bounds.map(Bounded::record),
     };
     serde_json::to_writer_pretty(&mut *out, &record)?;
     writeln!(out)

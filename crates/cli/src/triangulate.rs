@@ -7,10 +7,12 @@ use sweep_cdt::Triangulation;
 use sweep_cdt::interior::Interior;
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::verify::{Level, Verifier};
-use sweep_cdt_engine::{Remark, headline, remarks, without_heights};
+use sweep_cdt_engine::{headline, remarks, without_heights};
 use sweep_cdt_formats::{Coordinate, Splitting};
 
-use crate::shared::arguments::{InputArgs, OutputArgs, Target, add, completed, has_standard};
+use crate::shared::arguments::{
+    InputArgs, OutputArgs, Target, add, completed, has_standard, say_losses,
+};
 use crate::shared::arithmetic::{Given, Job, ScalarArgs};
 use crate::shared::earlier::Earlier;
 use crate::shared::failure::Failure;
@@ -232,21 +234,7 @@ impl Job for Run<'_> {
         let summary = targets.is_empty();
         let asks_heights = targets.iter().any(Target::asks_heights);
         self.read.say_of(given.name, file)?;
-        let mut losses: Vec<(String, Remark)> = Vec::new();
-        for target in &targets {
-            let (name, lost) = (target.name(), target.losses(file, domain));
-            match (losses.last_mut(), lost) {
-                (_, None) => {}
-                // A `.ele` and its `.node` lose one and the same.
-                (Some((names, last)), Some(lost)) if *last == lost => {
-                    names.push_str(&format!(", {name}"));
-                }
-                (_, Some(lost)) => losses.push((name, lost)),
-            }
-        }
-        for (names, lost) in losses {
-            self.read.say(&names, &[lost])?;
-        }
+        say_losses(self.read, &targets, file, domain)?;
         // Standard output holds either a result or a report.
         let report =
             !has_standard(&targets) && !self.json.as_ref().is_some_and(Destination::is_standard);

@@ -11,20 +11,23 @@ use sweep_cdt::scalar::Scalar;
 use sweep_cdt::triangulate;
 use sweep_cdt::verify::Level;
 use sweep_cdt_draw::ViolationsPicture;
-use sweep_cdt_engine::{Input as Asked, Inside, Question, Verdict, headline};
+use sweep_cdt_engine::{Input as Asked, Inside, OUT_OF_BOUNDS, Question, Verdict, headline};
 use sweep_cdt_formats::{
     Coordinate, GraphFile, Input, Matching, ResultError, WayOut, added_points, write_certificate,
     write_violations,
 };
 
 use crate::advice::advice;
+use crate::bounded::Bounded;
 use crate::completed::completed;
+use crate::mesh::Mesh;
 use crate::record::{self, Fingerprint, Subject};
 use crate::shared::arguments::{InputArgs, ResultArgs, ResultFiles};
 use crate::shared::arithmetic::{Given, Job, ScalarArgs};
+use crate::shared::bounds::BoundsArgs;
 use crate::shared::earlier::Earlier;
 use crate::shared::failure::{Failure, way_out};
-use crate::shared::files::ReadingArgs;
+use crate::shared::files::{FileArgument, ReadingArgs};
 use crate::shared::inside::{default_of, expect_suits};
 use crate::shared::outputs::{Destination, Outputs, refuse_read, refuse_twice};
 use crate::shared::places::located_interior;
@@ -106,6 +109,9 @@ pub(crate) struct Verify {
     #[arg(long, value_name = "DEPTH", value_parser = difference)]
     max_depth: Option<f64>,
 
+    #[command(flatten)]
+    bounds: BoundsArgs,
+
     /// How many violations to list
     #[arg(long, value_name = "N", default_value_t = 20)]
     limit: usize,
@@ -151,7 +157,7 @@ pub(crate) struct Verify {
         long,
         conflicts_with_all = ["input_format", "result_format", "faces", "height_property", "strict", "unpacked_limit",
             "scalar", "domain", "tolerance", "by_number", "steiner", "max_depth", "limit", "threads", "explain", "json",
-            "svg", "geojson", "record", "write_certificate"],
+            "svg", "geojson", "record", "write_certificate", "min_angle", "max_area", "max_side"],
     )]
     stream: bool,
 
@@ -191,6 +197,7 @@ Violations:
   bent-edge, bent-boundary                    vertices that --steiner allows, beside the edge that they split
   wrong-region                                an attribute that is not that of the region, with --domain holes
   not-delaunay                                a side that should be flipped
+  small-angle, large-area, long-side          triangles out of --min-angle, --max-area, --max-side
   not-canonical                               ties that end at another vertex, with --level canonical
 
 Exit status:
@@ -203,6 +210,7 @@ Examples:
   triangle -pqz part.poly
   sweep-cdt verify part.poly part.1.ele --domain holes --steiner --max-depth 1e-12
   triangle -pz part.poly && sweep-cdt verify part.poly part.1.ele --domain holes
+  sweep-cdt verify mesh.msh --min-angle 25 --max-side 0.5
   sweep-cdt verify terrain.poly terrain.obj --svg wrong.svg --record terrain.verified.json
   sweep-cdt verify --stream points.f64 triangles.u32 --level canonical";
 
@@ -214,18 +222,32 @@ impl Verify {
     }
 
     fn verified(&self) -> Result<(), Failure> {
-        let files = [&self.input.input, &self.result.result];
+        let Some(result) = &self.result.result else {
+            let others = [
+                &self.svg,
+                &self.geojson,
+                &self.record,
+                &self.write_certificate,
+            ];
+            let is_asked_more = self.stream || others.iter().any(|file| file.is_some());
+            let bounds = self.bounds.given().filter(|_| !is_asked_more);
+            let mesh = Mesh {
+                input: &self.input.input,
+                result: &self.result,
+                scalar: &self.scalar,
+                bounds: bounds.ok_or_else(only_bounds)?,
+                limit: self.limit,
+                is_json: self.json,
+            };
+            return mesh.verify(self.reading.files(), refusal);
+        };
+        let files = [&self.input.input, result];
         if files.iter().all(|file| file.is_standard()) {
             let message = "only one of INPUT and RESULT can be standard input";
             return Err(Failure::Usage(message.to_owned()));
         }
         if self.stream {
-            return verify_stream(
-                &self.sort,
-                self.level,
-                &self.input.input,
-                &self.result.result,
-            );
+            return verify_stream(&self.sort, self.level, &self.input.input, result);
         }
         self.sort.refuse_without("--stream")?;
         let svg = self.svg.clone().map(Destination::of_path).transpose()?;
@@ -262,14 +284,14 @@ impl Verify {
             .read(&mut read, |source| note(&mut of_input, source))?;
         // Then the result may have fractions, too.
         let mut input = self.scalar.convert(&self.input.name(), input)?;
-        let result = self
+        let files = self
             .result
-            .load(&mut read, |source| note(&mut of_result, source))?;
+            .load(result, &mut read, |source| note(&mut of_result, source))?;
         refuse_read(&read, written())?;
-        let own = self.with_added(&mut input, &result)?;
+        let own = self.with_added(&mut input, &files)?;
         let run = Run {
             arguments: self,
-            result,
+            result: files,
             own,
             of_input: &of_input,
             of_result: &of_result,
@@ -356,7 +378,14 @@ impl Job for Run<'_> {
         };
         let answer = question.answer();
         let answer = answer.map_err(|error| given.failure(located_interior(file, error)))?;
-        let verdict = question.verdict(&answer);
+        let bounds = arguments.bounds.given().map(|bounds| {
+            let points = &file.graph.points;
+            Bounded::new(bounds, points, &triangles, arguments.limit)
+        });
+        let bounds = bounds.transpose()?;
+        let violators = bounds.as_ref().map_or(&[][..], |bounds| &bounds.violators);
+        let unbounded = question.verdict(&answer);
+        let verdict = unbounded.with_bounds(violators);
         let subject = Subject {
             input: self.of_input,
             result: self.of_result,
@@ -368,8 +397,13 @@ impl Job for Run<'_> {
             verdict,
             file,
             triangles: &triangles,
+            bounds: bounds.as_ref(),
         };
-        let advice = (!arguments.json).then(|| advice(&given, &question, &answer));
+        let advice = (!arguments.json).then(|| match unbounded {
+            Verdict::Wrong => advice(&given, &question, &answer),
+            _ if !violators.is_empty() => OUT_OF_BOUNDS.to_owned(),
+            _ => advice(&given, &question, &answer),
+        });
         let mut outputs = Outputs::default();
         if let Some(record) = self.record {
             outputs.add(record, |out| record::write(&subject, &answer, out))?;
@@ -404,7 +438,9 @@ impl Job for Run<'_> {
             let Some(advice) = &advice else {
                 return record::write(&subject, &answer, out);
             };
-            let (input, result) = (arguments.input.name(), arguments.result.result.input_name());
+            let result = arguments.result.result.as_ref();
+            let result = result.map_or(String::new(), FileArgument::input_name);
+            let input = arguments.input.name();
             let interior = |rule: Inside| format!("the interior of {input} ({rule})");
             let verified = match domain {
                 Inside::HULL => input.clone(),
@@ -412,7 +448,11 @@ impl Job for Run<'_> {
             };
             let (level, max_depth) = (arguments.level, arguments.max_depth);
             let files = [&*result, &*verified];
-            writeln!(out, "{}", headline(&answer, level, max_depth, files))?;
+            let headline = headline(&answer, level, max_depth, files);
+            match &bounds {
+                Some(bounds) => writeln!(out, "{}", bounds.headline(&headline))?,
+                None => writeln!(out, "{headline}")?,
+            }
             writeln!(out, "{}", triangles.matched.words())?;
             let report = verification::report(&answer);
             if report.clockwise {
@@ -422,6 +462,9 @@ impl Job for Run<'_> {
             verification::write_counts(report, arguments.explain, out)?;
             verification::write_depths(&answer, arguments.explain, out)?;
             verification::write_violations(&answer, file, &triangles, out)?;
+            if let Some(bounds) = &bounds {
+                bounds.write(out)?;
+            }
             writeln!(out, "\n{advice}")
         })?;
         outputs.finish()?;
@@ -431,6 +474,13 @@ impl Job for Run<'_> {
             Verdict::Wrong => Err(Failure::Wrong),
         }
     }
+}
+
+fn only_bounds() -> Failure {
+    let options = "--min-angle, --max-area and --max-side";
+    Failure::Usage(format!(
+        "RESULT is missing: of a mesh by itself only {options} are asked"
+    ))
 }
 
 /// Reads a difference.

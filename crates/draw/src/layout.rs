@@ -7,7 +7,7 @@ use super::window::{Bounds, PIXEL, Window, places};
 use sweep_cdt::interior::Interior;
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::{Pslg, Triangulation};
-use sweep_cdt_formats::{Column, sorted_pairs};
+use sweep_cdt_formats::{Cell, Column, sorted_pairs};
 
 /// Up to this many vertices get numbers.
 const MOST_NUMBERS: usize = 60;
@@ -50,25 +50,13 @@ impl Layout {
         heights: Option<&Column>,
     ) -> Layout {
         let points = places(&graph.points);
-        let bounds = Bounds::of(points.iter().copied());
-        let window = Window::new(bounds, LONG_SIDE);
-        let spacing = bounds.spacing(points.len()) * (LONG_SIDE / PIXEL) as f64;
         let relief = heights.and_then(|heights| match interior {
             Some(interior) => Relief::new(&points, heights, interior),
             None => Relief::new(&points, heights, &Interior::whole(result)),
         });
 
-        let [width, height] = [
-            window.size[0].max(ENTRIES[usize::from(interior.is_some())] * COLUMN),
-            window.size[1],
-        ];
-        let size = [width, height].map(|side| side + 2 * MARGIN);
-        let left = (size[0] - window.size[0]) / 2;
-        let place = |point| {
-            let [x, y] = window.place(point);
-            [left + x, MARGIN + y]
-        };
-        let places: Vec<[i64; 2]> = points.into_iter().map(place).collect();
+        let entries = ENTRIES[usize::from(interior.is_some())];
+        let (places, size, spacing) = in_frame(&points, points.len(), entries);
 
         let hull: Vec<usize> = result.hull().collect();
         let border = match interior {
@@ -125,11 +113,88 @@ impl Layout {
         }
     }
 
+    /// The cells of points: sides of one cell are the border, and those of two lie between them.
+    pub(super) fn of_cells<S: Scalar>(points: &[[S; 2]], cells: &[Cell<S>]) -> Layout {
+        let near = |place: &[S; 2]| place.each_ref().map(S::approx);
+        let rings = cells.iter().flat_map(|cell| cell.polygons.iter().flatten());
+        let rings: Vec<Vec<[f64; 2]>> = rings.map(|ring| ring.iter().map(near).collect()).collect();
+        let order = |p: &[f64; 2], q: &[f64; 2]| p[0].total_cmp(&q[0]).then(p[1].total_cmp(&q[1]));
+        let mut corners: Vec<[f64; 2]> = rings.iter().flatten().copied().collect();
+        corners.sort_by(order);
+        corners.dedup_by(|p, q| order(p, q).is_eq());
+        let number = |corner: &[f64; 2]| {
+            let place = corners.binary_search_by(|other| order(other, corner));
+            points.len() + place.expect("a corner of a cell")
+        };
+        let directed = rings.iter().flat_map(|ring| {
+            let ring: Vec<usize> = ring.iter().map(number).collect();
+            (0..ring.len()).map(move |i| [ring[i], ring[(i + 1) % ring.len()]])
+        });
+        let mut directed: Vec<[usize; 2]> = directed.collect();
+        directed.sort_unstable();
+        let is_between = |&[a, b]: &[usize; 2]| directed.binary_search(&[b, a]).is_ok();
+        let (between, border): (Vec<_>, Vec<_>) =
+            directed.iter().partition(|side| is_between(side));
+        let all: Vec<[f64; 2]> = points
+            .iter()
+            .map(near)
+            .chain(corners.iter().copied())
+            .collect();
+        let (places, size, spacing) = in_frame(&places(&all), points.len(), ENTRIES[0]);
+        let mut entries = vec![
+            ("side", format!("cells: {}", cells.len())),
+            ("hull", format!("border: {}", border.len())),
+        ];
+        let dots: Vec<usize> = match spacing > LEAST_SPACING {
+            true => cells.iter().map(|cell| cell.point).collect(),
+            false => Vec::new(),
+        };
+        if !dots.is_empty() {
+            entries.push(("vertex", format!("points: {}", points.len())));
+        }
+        let has_numbers = points.len() <= MOST_NUMBERS;
+        let mut sides = sorted_pairs(between.into_iter());
+        sides.dedup();
+        Layout {
+            size,
+            spacing,
+            outside: None,
+            border: trails(places.len(), &border),
+            relief: None,
+            sides: trails(places.len(), &sides),
+            edges: Vec::new(),
+            numbered: cells
+                .iter()
+                .map(|cell| cell.point)
+                .filter(|_| has_numbers)
+                .collect(),
+            dots,
+            entries,
+            places,
+        }
+    }
+
     /// The size with the legend, which has a row more for a relief.
     pub(super) fn whole_size(&self) -> [i64; 2] {
         let rows = 1 + i64::from(self.relief.is_some());
         [self.size[0], self.size[1] + rows * LEGEND_HEIGHT]
     }
+}
+
+/// The places of points in a picture, the size of all but its legend of so many entries, and about how many pixels points
+/// are apart, of which there are `count` among them.
+fn in_frame(points: &[[f64; 2]], count: usize, entries: i64) -> (Vec<[i64; 2]>, [i64; 2], f64) {
+    let bounds = Bounds::of(points.iter().copied());
+    let window = Window::new(bounds, LONG_SIDE);
+    let [width, height] = [window.size[0].max(entries * COLUMN), window.size[1]];
+    let size = [width, height].map(|side| side + 2 * MARGIN);
+    let left = (size[0] - window.size[0]) / 2;
+    let place = |&point: &[f64; 2]| {
+        let [x, y] = window.place(point);
+        [left + x, MARGIN + y]
+    };
+    let spacing = bounds.spacing(count) * (LONG_SIDE / PIXEL) as f64;
+    (points.iter().map(place).collect(), size, spacing)
 }
 
 /// A chain back to its first vertex.

@@ -1,6 +1,7 @@
-//! Pictures, as SVG, of a result (also as PNG), of what is wrong with one, and of edges that cross; and of the steps of a trace, as SVG or as
-//! a page for a browser.
+//! Pictures, as SVG, of a result and of Voronoi cells (also as PNG), of what is wrong with a result, and of edges that
+//! cross; and of the steps of a trace, as SVG or as a page for a browser.
 
+mod cells;
 mod close_up;
 mod crossings;
 mod font;
@@ -20,6 +21,7 @@ mod trails;
 mod violations;
 mod window;
 
+pub use cells::CellsPicture;
 pub use crossings::CrossingsPicture;
 pub use output::{write, write_interior};
 pub use result::ResultPicture;

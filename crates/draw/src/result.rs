@@ -98,53 +98,61 @@ impl<'a, S: Scalar> ResultPicture<'a, S> {
     /// # Errors
     /// Errors of `out`.
     pub fn write(&self, out: &mut impl Write) -> io::Result<()> {
-        let layout = self.layout();
-        let Layout { places, relief, .. } = &layout;
-        let mut rules = mesh_rules(layout.spacing);
-        if relief.is_some() {
-            rules += &relief_rules(layout.spacing);
-        }
-        svg::begin(out, layout.whole_size(), &rules)?;
-
-        // Areas and lines, from back to front.
-        let stroke_of = |trail: &Vec<usize>| stroke(places, trail);
-        let border = |chain: &Vec<usize>| match chain[..] {
-            [_, .., _] => stroke_of(chain),
-            _ => String::new(),
-        };
-        // In one path, so that holes are not filled.
-        let strokes_of_border: String = layout.border.iter().map(border).collect();
-        let around = layout.outside.as_ref().map(border);
-        if let Some(around) = around.filter(|around| !around.is_empty()) {
-            svg::layer(out, "outside", [around])?;
-        }
-        if !strokes_of_border.is_empty() {
-            svg::layer(out, "hull", [strokes_of_border])?;
-        }
-        for (colour, sides) in relief.iter().flat_map(|relief| &relief.colours) {
-            let loops = loops(sides);
-            svg::area(out, "relief", *colour, loops.iter().map(stroke_of))?;
-        }
-        svg::layer(out, "side", layout.sides.iter().map(stroke_of))?;
-        svg::layer(out, "edge", layout.edges.iter().map(stroke_of))?;
-
-        // Vertices and their numbers, where there is room, and the legend.
-        svg::layer(
-            out,
-            "vertex",
-            layout.dots.iter().map(|&v| svg::dot(places[v])),
-        )?;
-        for &vertex in &layout.numbered {
-            svg::label(out, places[vertex], vertex + self.numbering.vertex)?;
-        }
-        let [middle, mut top] = [layout.size[0] / 2, layout.size[1]];
-        if let Some(relief) = relief {
-            ReliefLegend::new([middle, top], relief).write(out)?;
-            top += LEGEND_HEIGHT;
-        }
-        write_legend(out, [middle, top], &layout.entries)?;
-        svg::end(out)
+        write_layout(&self.layout(), self.numbering, out)
     }
+}
+
+/// Writes a picture of triangles or cells as SVG.
+pub(super) fn write_layout(
+    layout: &Layout,
+    numbering: Numbering,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    let Layout { places, relief, .. } = layout;
+    let mut rules = mesh_rules(layout.spacing);
+    if relief.is_some() {
+        rules += &relief_rules(layout.spacing);
+    }
+    svg::begin(out, layout.whole_size(), &rules)?;
+
+    // Areas and lines, from back to front.
+    let stroke_of = |trail: &Vec<usize>| stroke(places, trail);
+    let border = |chain: &Vec<usize>| match chain[..] {
+        [_, .., _] => stroke_of(chain),
+        _ => String::new(),
+    };
+    // In one path, so that holes are not filled.
+    let strokes_of_border: String = layout.border.iter().map(border).collect();
+    let around = layout.outside.as_ref().map(border);
+    if let Some(around) = around.filter(|around| !around.is_empty()) {
+        svg::layer(out, "outside", [around])?;
+    }
+    if !strokes_of_border.is_empty() {
+        svg::layer(out, "hull", [strokes_of_border])?;
+    }
+    for (colour, sides) in relief.iter().flat_map(|relief| &relief.colours) {
+        let loops = loops(sides);
+        svg::area(out, "relief", *colour, loops.iter().map(stroke_of))?;
+    }
+    svg::layer(out, "side", layout.sides.iter().map(stroke_of))?;
+    svg::layer(out, "edge", layout.edges.iter().map(stroke_of))?;
+
+    // Vertices and their numbers, where there is room, and the legend.
+    svg::layer(
+        out,
+        "vertex",
+        layout.dots.iter().map(|&v| svg::dot(places[v])),
+    )?;
+    for &vertex in &layout.numbered {
+        svg::label(out, places[vertex], vertex + numbering.vertex)?;
+    }
+    let [middle, mut top] = [layout.size[0] / 2, layout.size[1]];
+    if let Some(relief) = relief {
+        ReliefLegend::new([middle, top], relief).write(out)?;
+        top += LEGEND_HEIGHT;
+    }
+    write_legend(out, [middle, top], &layout.entries)?;
+    svg::end(out)
 }
 
 /// A stroke through vertices; steps shorter than a unit are left out, and so is a stroke without any.

@@ -2,6 +2,8 @@
 
 use sweep_cdt::verify::{Depth, Level, Report, Violations};
 
+use crate::bounds::Violator;
+
 /// The answer of the verifier.
 pub type Answer = Result<Report, Violations>;
 
@@ -25,6 +27,16 @@ impl Verdict {
         match violations.depth().zip(max_depth) {
             Some((depth, max)) if depth.get() <= max => Verdict::WithinMaxDepth,
             _ => Verdict::Wrong,
+        }
+    }
+
+    /// The verdict, where triangles that break bounds are wrong, too.
+    #[must_use]
+    pub fn with_bounds(self, violators: &[Violator]) -> Verdict {
+        if violators.is_empty() {
+            self
+        } else {
+            Verdict::Wrong
         }
     }
 

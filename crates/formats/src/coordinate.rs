@@ -6,10 +6,11 @@ use std::num::IntErrorKind;
 use num_bigint::{BigInt, Sign};
 use num_rational::BigRational;
 
+use sweep_cdt::crossings::Exact;
 use sweep_cdt::scalar::Scalar;
 
 /// A scalar that files can hold.
-pub trait Coordinate: Scalar + Clone + PartialEq + Send + Sync {
+pub trait Coordinate: Exact + PartialEq + Send + Sync {
     /// The value of a token such as `12`, `-0.5`, `1e-3` or `2/3`.
     ///
     /// # Errors
@@ -53,10 +54,10 @@ pub trait Coordinate: Scalar + Clone + PartialEq + Send + Sync {
     /// use sweep_cdt_formats::Coordinate;
     ///
     /// // 1 + 2^-60 is no double, and the sum of the doubles 0.3 and 0.1 is a little less than the double 0.4.
-    /// assert_eq!(1.0.around(2_f64.powi(-60)), [1.0, 1.0]);
-    /// assert_eq!(0.3.around(0.1), [0.2_f64.next_down(), 0.4_f64.next_down()]);
+    /// assert_eq!(1.0.within(2_f64.powi(-60)), [1.0, 1.0]);
+    /// assert_eq!(0.3.within(0.1), [0.2_f64.next_down(), 0.4_f64.next_down()]);
     /// ```
-    fn around(&self, tolerance: f64) -> [Self; 2];
+    fn within(&self, tolerance: f64) -> [Self; 2];
 
     /// The least double that is no less than the difference to another number; at most the largest one.
     ///
@@ -176,7 +177,7 @@ impl Coordinate for f64 {
             .then(|| (integer >> zeros, exponent.max(1) - 1075 + i64::from(zeros)))
     }
 
-    fn around(&self, tolerance: f64) -> [Self; 2] {
+    fn within(&self, tolerance: f64) -> [Self; 2] {
         [-sum_below(-self, tolerance), sum_below(*self, tolerance)]
     }
 
@@ -274,7 +275,7 @@ impl Coordinate for BigRational {
         Some((self.numer() >> doubles, power))
     }
 
-    fn around(&self, tolerance: f64) -> [Self; 2] {
+    fn within(&self, tolerance: f64) -> [Self; 2] {
         let tolerance = BigRational::from_float(tolerance).unwrap_or_default();
         [self - &tolerance, self + &tolerance]
     }

@@ -15,6 +15,9 @@ pub struct GraphFile<S> {
     pub graph: Pslg<S>,
     /// Further columns of the vertices: heights, for instance.
     pub columns: Vec<Column>,
+    /// The greatest area that the file allows for a triangle of each region, infinite where it names none; empty, if it
+    /// names none at all. They count where a mesh is refined: see [`GraphFile::without_areas`].
+    pub region_areas: Vec<f64>,
     /// For each edge the edge of the file that it is a piece of, in order, where edges were
     /// [split](sweep_cdt::crossings::split) at their crossings. Empty, if they are those of the file.
     pub pieces_of: Vec<usize>,
@@ -187,6 +190,7 @@ impl<S> From<Pslg<S>> for GraphFile<S> {
         GraphFile {
             graph,
             columns: Vec::new(),
+            region_areas: Vec::new(),
             pieces_of: Vec::new(),
             edge_markers: Vec::new(),
             polygons: Polygons::default(),
@@ -316,6 +320,16 @@ impl<S> GraphFile<S> {
         let count = std::mem::take(&mut self.faces).len();
         self.remarks
             .extend((count > 0).then_some(Remark::Faces { count }));
+        self
+    }
+
+    /// The file without the greatest areas of its regions, and a remark on them.
+    #[must_use]
+    pub fn without_areas(mut self) -> GraphFile<S> {
+        let areas = std::mem::take(&mut self.region_areas);
+        let count = areas.iter().filter(|area| area.is_finite()).count();
+        let remark = || Remark::ignored(count, "area of a region", "areas of regions");
+        self.remarks.extend((count > 0).then(remark));
         self
     }
 

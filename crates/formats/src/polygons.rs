@@ -62,12 +62,13 @@ impl Polygons {
         self.rings.len() - 1
     }
 
-    /// The polygons, where edges are pieces of those before.
-    pub(crate) fn of_pieces(&self, pieces_of: &[usize]) -> Polygons {
+    /// The polygons, where edges are pieces of those before, and perhaps others that follow, of so many in all.
+    pub(crate) fn of_pieces(&self, pieces_of: &[usize], edges: usize) -> Polygons {
         let mut pieces = self.clone();
         if !self.is_empty() {
             let ring_of = pieces_of.iter().map(|&edge| self.ring_of[edge]);
             pieces.ring_of = ring_of.collect();
+            pieces.ring_of.resize(edges, None);
         }
         pieces
     }

@@ -3,6 +3,8 @@
 
 use std::fmt;
 
+use serde::Serialize;
+
 /// Something about a file or a result that its user should know.
 ///
 /// ```
@@ -17,7 +19,8 @@ use std::fmt;
 /// assert_eq!((file.remarks[0].name(), file.remarks[0].is_loss()), ("ignored", true));
 /// # Ok::<(), sweep_cdt_formats::ReadError>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
 #[non_exhaustive]
 pub enum Remark {
     /// The file says something, and nothing is made of it.
@@ -117,6 +120,18 @@ pub enum Remark {
         /// How many triangles more than one polygon covers.
         triangles: usize,
     },
+    /// Triangles of a refined mesh break a bound still.
+    Unrefined {
+        /// How many do for this reason.
+        triangles: usize,
+        /// The reason, in words.
+        reason: String,
+    },
+    /// Equal points share a cell.
+    SharedCells {
+        /// How many are equal to a point before them.
+        points: usize,
+    },
     /// There are no triangles.
     NoTriangles(NoTriangles),
     /// There are triangles, and none is inside.
@@ -129,7 +144,8 @@ pub enum Remark {
 }
 
 /// Why there are no triangles.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(tag = "why", rename_all = "kebab-case")]
 pub enum NoTriangles {
     /// There are no points.
     NoPoints,
@@ -167,12 +183,32 @@ impl Remark {
             Remark::OpenTriangles { .. } => "open-triangles",
             Remark::OffTerrain { .. } => "off-terrain",
             Remark::CoveredTwice { .. } => "covered-twice",
+            Remark::Unrefined { .. } => "unrefined",
+            Remark::SharedCells { .. } => "shared-cells",
             Remark::NoTriangles(_) => "no-triangles",
             Remark::NothingInside { .. } => "nothing-inside",
         }
     }
 
-    /// Whether something of the file gets lost. A strict run refuses that.
+    /// The numbers and names in the remark, by the names of its fields: `null` for a number that is not finite.
+    ///
+    /// ```
+    /// use sweep_cdt_formats::{NoTriangles, Remark};
+    /// use serde_json::json;
+    ///
+    /// let remark = Remark::OffTerrain { missing: 2, places: 9 };
+    /// assert_eq!(remark.numbers(), json!({"missing": 2, "places": 9}));
+    /// let remark = Remark::NoTriangles(NoTriangles::OneLine { up: Some(0) });
+    /// assert_eq!(remark.numbers(), json!({"why": "one-line", "up": 0}));
+    /// ```
+    ///
+    /// # Panics
+    /// Never: a remark is made of numbers, names, and lists of them.
+    pub fn numbers(&self) -> serde_json::Value {
+        serde_json::to_value(self).expect("numbers, names, and lists of them")
+    }
+
+    /// Whether something of the file gets lost, or is not as it was asked for. A strict run refuses that.
     pub fn is_loss(&self) -> bool {
         matches!(
             self,
@@ -181,6 +217,7 @@ impl Remark {
                 | Remark::Conflict { .. }
                 | Remark::NotWritten { .. }
                 | Remark::Promise { .. }
+                | Remark::Unrefined { .. }
         )
     }
 
@@ -254,6 +291,13 @@ impl Remark {
                  even-odd, and as inside by nonzero",
                 of(*edges, "edge is", "edges are")
             ),
+            Remark::Interpolated {
+                heights,
+                outside: 0,
+            } => {
+                let of = of(*heights, "height is", "heights are");
+                format!("{of} interpolated")
+            }
             Remark::Interpolated { heights, outside } => format!(
                 "{heights} heights are interpolated, {outside} vertices lie outside of the hull of those with heights"
             ),
@@ -270,6 +314,17 @@ impl Remark {
             Remark::CoveredTwice { triangles } => format!(
                 "polygons overlap: {triangles} triangles are covered more than once, and have the first feature that does"
             ),
+            Remark::Unrefined { triangles, reason } => {
+                let of = of(*triangles, "triangle breaks", "triangles break");
+                format!("{of} a bound still: {reason}")
+            }
+            Remark::SharedCells { points } => {
+                let [one, many] = [
+                    "equals another one, and shares its cell",
+                    "equal others, and share their cells",
+                ];
+                of(*points, &format!("point {one}"), &format!("points {many}"))
+            }
             Remark::NoTriangles(why) => format!("no triangles: {why}"),
             Remark::NothingInside { edges: 0, .. } => {
                 "no triangles are inside: there are no edges".to_owned()

@@ -98,9 +98,9 @@ impl InputArgs {
 #[derive(clap::Args)]
 pub(crate) struct ResultArgs {
     /// Triangulation of the input: .ele (and the .node beside it), .json, .obj, .off, .ply, .vtk, .vtu, .vtp, .msh, .stl,
-    /// .geojson, .wkt, .npy or .npz; `-` for standard input
+    /// .geojson, .wkt, .npy or .npz; `-` for standard input. Without it INPUT is a mesh of which only bounds are asked
     #[arg(value_name = "RESULT")]
-    pub(crate) result: FileArgument,
+    pub(crate) result: Option<FileArgument>,
 
     /// Format of the result [default: by its extension]
     #[arg(long, value_name = "FORMAT", value_parser = format_parser(Format::RESULTS))]
@@ -116,22 +116,18 @@ pub(crate) struct ResultFiles {
 }
 
 impl ResultArgs {
-    /// Loads the result; `show` is called with each file of it.
+    /// Loads a file as the result; `show` is called with each file of it.
     pub(crate) fn load(
         &self,
+        file: &FileArgument,
         files: &mut FilesRead,
         mut show: impl FnMut(&Source),
     ) -> Result<ResultFiles, Failure> {
-        let format = format_of_input(
-            &self.result,
-            "--result-format",
-            self.result_format,
-            Format::RESULTS,
-        )?;
-        let source = files.load(&self.result)?;
+        let format = format_of_input(file, "--result-format", self.result_format, Format::RESULTS)?;
+        let source = files.load(file)?;
         show(&source);
         let node = match format {
-            Format::Ele => self.result.beside("node").filter(FileArgument::exists),
+            Format::Ele => file.beside("node").filter(FileArgument::exists),
             _ => None,
         };
         let node = node
@@ -258,6 +254,31 @@ pub(crate) fn completed<S: Coordinate>(
     }
     refuse_read(read, targets.iter().map(|target| &target.destination))?;
     Ok(targets)
+}
+
+/// Says what targets have no room for, of the whole result or of what is inside a domain.
+pub(crate) fn say_losses<S: Coordinate>(
+    read: &FilesRead,
+    targets: &[Target],
+    file: &GraphFile<S>,
+    domain: Option<&Interior<'_>>,
+) -> Result<(), Failure> {
+    let mut losses: Vec<(String, Remark)> = Vec::new();
+    for target in targets {
+        let (name, lost) = (target.name(), target.losses(file, domain));
+        match (losses.last_mut(), lost) {
+            (_, None) => {}
+            // A `.ele` and its `.node` lose one and the same.
+            (Some((names, last)), Some(lost)) if *last == lost => {
+                names.push_str(&format!(", {name}"));
+            }
+            (_, Some(lost)) => losses.push((name, lost)),
+        }
+    }
+    for (names, lost) in losses {
+        read.say(&names, &[lost])?;
+    }
+    Ok(())
 }
 
 /// Adds all targets to the outputs: the whole result, or what is inside a domain of it.

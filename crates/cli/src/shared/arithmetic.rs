@@ -143,6 +143,7 @@ pub(crate) fn as_rationals(name: &str, input: Input) -> Result<GraphFile<BigRati
             edges: file.graph.edges,
         },
         columns: file.columns,
+        region_areas: file.region_areas,
         pieces_of: file.pieces_of,
         edge_markers: file.edge_markers,
         polygons: file.polygons,

@@ -178,6 +178,7 @@ impl ReadingArgs {
             columns: self.columns.clone(),
             no_value: self.no_value,
             has_faces: self.faces,
+            takes_areas: false,
             has_settings: true,
             is_strict: self.strict,
         }
@@ -193,6 +194,8 @@ pub(crate) struct FilesRead {
     columns: Vec<String>,
     no_value: Option<f64>,
     has_faces: bool,
+    /// Whether greatest areas of regions count.
+    pub(crate) takes_areas: bool,
     /// Whether the settings that remarks name can be given.
     has_settings: bool,
     is_strict: bool,
@@ -250,6 +253,9 @@ impl FilesRead {
             })?;
         }
         file = file.without_faces();
+        if !self.takes_areas {
+            file = file.without_areas();
+        }
         if let Some(value) = self.no_value {
             file = file.without_value(value);
         }

@@ -3,6 +3,7 @@
 pub(crate) mod arguments;
 pub(crate) mod arithmetic;
 pub(crate) mod around;
+pub(crate) mod bounds;
 pub(crate) mod earlier;
 pub(crate) mod failure;
 pub(crate) mod files;

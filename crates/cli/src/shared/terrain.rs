@@ -73,18 +73,36 @@ impl TerrainArgs {
         work: W,
     ) -> Result<W::Done, Failure> {
         let name = self.name();
-        let failure = |error: &dyn std::fmt::Display| Failure::Error(format!("{name}: {error}"));
         if file.heights().is_none() {
-            return Err(failure(
-                &"the vertices have no heights: a third coordinate, the column z, the first attribute of a .node or .poly, or the property of a .geojson or column of a .csv that --height-property names",
-            ));
+            return Err(Failure::Error(format!(
+                "{name}: the vertices have no heights: a third coordinate, the column z, the first attribute of a .node or .poly, or the property of a .geojson or column of a .csv that --height-property names"
+            )));
         }
+        self.triangulated(file, files, |file, domain| {
+            let heights = file.heights().map_or(&[][..], |column| &column.values);
+            let surface = Surface::new(&file.graph.points, &domain, heights);
+            let done = work.run(&surface)?;
+            let (missing, triangles) = (surface.missing(), domain.inside().len());
+            let open = (missing > 0).then_some(Remark::OpenTriangles { missing, triangles });
+            files.say(&name, open.as_slice())?;
+            Ok(done)
+        })
+    }
+
+    /// Triangulates a file, and works on what is inside. What is to say about the result is said.
+    pub(crate) fn triangulated<S: Coordinate, R>(
+        &self,
+        file: &GraphFile<S>,
+        files: &FilesRead,
+        work: impl FnOnce(&GraphFile<S>, Interior<'_>) -> Result<R, Failure>,
+    ) -> Result<R, Failure> {
+        let name = self.name();
         let graph = &file.graph;
         let result =
             Triangulator::new().triangulate_parallel(&graph.points, &graph.edges, Bands::new());
         let result = result.map_err(|error| {
             let advice = SplitArgs::advice(&error);
-            failure(&format!("{}{advice}", located(file, error)))
+            Failure::Error(format!("{name}: {}{advice}", located(file, error)))
         })?;
         let duplicates: Vec<[usize; 2]> = result.duplicates().collect();
         let shared = file.sharing(&duplicates);
@@ -92,13 +110,6 @@ impl TerrainArgs {
         files.say_of(&name, file)?;
         let domain = self.inside.domain(&name, file, &result)?;
         files.say(&name, &remarks(file, &result, domain.as_ref()))?;
-        let heights = file.heights().map_or(&[][..], |column| &column.values);
-        let domain = domain.unwrap_or_else(|| Interior::whole(&result));
-        let surface = Surface::new(&file.graph.points, &domain, heights);
-        let done = work.run(&surface)?;
-        let (missing, triangles) = (surface.missing(), domain.inside().len());
-        let open = (missing > 0).then_some(Remark::OpenTriangles { missing, triangles });
-        files.say(&name, open.as_slice())?;
-        Ok(done)
+        work(file, domain.unwrap_or_else(|| Interior::whole(&result)))
     }
 }

@@ -10,7 +10,7 @@ use serde_json::Value;
 use crate::verify::{first_line, refuted, verify};
 use crate::{folder, printed, run, text};
 
-const MESHES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/data/meshes");
+pub(crate) const MESHES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/data/meshes");
 
 #[test]
 fn rounded_vertices_on_edges_are_within_their_depth() {

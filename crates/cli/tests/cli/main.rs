@@ -2,6 +2,7 @@
 
 mod advice;
 mod bent;
+mod bounds;
 mod crossings;
 mod depths;
 mod documents;
@@ -16,6 +17,7 @@ mod outputs;
 #[cfg(unix)]
 mod places;
 mod record;
+mod refine;
 mod refuted;
 mod remarks;
 mod replay;
@@ -35,6 +37,7 @@ mod terrain;
 mod texts;
 mod trace;
 mod verify;
+mod voronoi;
 
 use std::fs;
 use std::io::Write;

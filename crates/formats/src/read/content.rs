@@ -56,6 +56,8 @@ pub(super) struct Edges<'a> {
     pub(super) regions: Vertices<'a>,
     /// The attributes of the regions.
     pub(super) attributes: Vec<f64>,
+    /// The greatest areas in the regions, or none.
+    pub(super) areas: Vec<f64>,
     /// The markers of the edges, or none.
     pub(super) markers: Vec<i64>,
     /// Vertices with markers, where these are no column.
@@ -102,6 +104,7 @@ impl<'a> Edges<'a> {
             holes: Vertices::none(vertices.source, first),
             regions: Vertices::none(vertices.source, first),
             attributes: Vec::new(),
+            areas: Vec::new(),
             markers: Vec::new(),
             vertex_markers: Vec::new(),
             polygons: Polygons::default(),

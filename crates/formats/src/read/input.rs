@@ -123,9 +123,14 @@ fn file<S: Coordinate>(
 ) -> Result<GraphFile<S>, ReadError> {
     let mut columns = columns(format, &content.vertices)?;
     columns.extend(markers(&content));
+    // Triangle's word for no limit is -1.
+    let limit = |area: f64| if area > 0.0 { area } else { f64::INFINITY };
+    let areas = content.areas.iter().map(|&area| limit(area));
+    let has_areas = areas.clone().any(f64::is_finite);
     let is_marked = content.markers.iter().any(|&marker| marker != 0);
     let file = GraphFile {
         columns,
+        region_areas: areas.filter(|_| has_areas).collect(),
         numbering: Numbering {
             vertex: content.vertices.first,
             edge: content.first,

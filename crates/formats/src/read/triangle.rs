@@ -84,11 +84,12 @@ pub(super) fn read_poly<'a>(
 
     // Holes and regions, if the file goes on.
     let holes = read_holes(source, &mut lines, vertices.first)?;
-    let (regions, attributes) = read_regions(source, &mut lines, vertices.first, &mut remarks)?;
+    let (regions, attributes, areas) = read_regions(source, &mut lines, vertices.first)?;
     Ok(Edges {
         holes,
         regions,
         attributes,
+        areas,
         markers,
         remarks,
         ..Edges::without_seeds(vertices, edges, first)
@@ -281,7 +282,7 @@ pub(super) fn read_ele<'a>(
     };
     let mut first_triangle = 0;
     let (triangles, labels) = if has_attributes {
-        let row = |line: &mut Line<'_>| Ok((corners(line)?, attribute(line)?));
+        let row = |line: &mut Line<'_>| Ok((corners(line)?, number(line, "an attribute")?));
         let rows = records.read(&mut lines, &mut first_triangle, row)?;
         let (triangles, attributes) = rows.into_iter().unzip();
         (triangles, Labels::Attributes(attributes))
@@ -330,28 +331,30 @@ fn read_holes<'a>(
     Ok(seeds(source, coordinates, first))
 }
 
-/// Reads the regions, likewise, and their attributes. The area that may follow is ignored.
+/// Reads the regions, likewise, their attributes, and the areas that may follow.
 fn read_regions<'a>(
     source: &'a Source,
     lines: &mut Lines<'a>,
     mut first: usize,
-    remarks: &mut Remarks,
-) -> Result<(Vertices<'a>, Vec<f64>), ReadError> {
+) -> Result<(Vertices<'a>, Vec<f64>, Vec<f64>), ReadError> {
     let records = Records {
         name: "region",
         number: "a region's number",
         count: seed_count(lines, "a number of regions")?,
     };
     let regions = records.read(lines, &mut first, |line| {
-        let region = (line.coordinates()?, attribute(line)?);
-        // -1 is Triangle's word for no limit.
-        let has_area = line.token().is_some_and(|area| area != b"-1");
-        Ok((region, has_area))
+        let coordinates = line.coordinates()?;
+        let [attribute, area] = [number(line, "an attribute")?, number(line, "an area")?];
+        Ok((coordinates, attribute, area))
     })?;
-    let areas = regions.iter().filter(|(_, has_area)| *has_area).count();
-    remarks.ignore(areas, "area of a region", "areas of regions");
-    let (coordinates, attributes) = regions.into_iter().map(|(region, _)| region).unzip();
-    Ok((seeds(source, coordinates, first), attributes))
+    let attributes = regions.iter().map(|&(_, attribute, _)| attribute).collect();
+    let areas = regions.iter().map(|&(.., area)| area).collect();
+    let coordinates = regions.iter().map(|&(coordinates, ..)| coordinates);
+    Ok((
+        seeds(source, coordinates.collect(), first),
+        attributes,
+        areas,
+    ))
 }
 
 /// The number in the next line, or 0 if there is none.
@@ -360,14 +363,14 @@ fn seed_count(lines: &mut Lines<'_>, what: &str) -> Result<usize, ReadError> {
     line.map_or(Ok(0), |mut line| line.index(what))
 }
 
-/// The attribute of a region or of a triangle, or 0 if the line ends.
-fn attribute(line: &mut Line<'_>) -> Result<f64, ReadError> {
+/// The next number, or 0 if the line ends.
+fn number(line: &mut Line<'_>, what: &str) -> Result<f64, ReadError> {
     let Some(token) = line.token() else {
         return Ok(0.0);
     };
     let value = f64::from_text(&String::from_utf8_lossy(token)).ok();
     let value = value.filter(|value| value.is_finite());
-    value.ok_or_else(|| line.error(format!("{} is not an attribute, a number", quoted(token))))
+    value.ok_or_else(|| line.error(format!("{} is not {what}, a number", quoted(token))))
 }
 
 fn seeds<'a>(source: &'a Source, coordinates: Vec<[&'a [u8]; 2]>, first: usize) -> Vertices<'a> {

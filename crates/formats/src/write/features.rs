@@ -17,11 +17,12 @@ use serde_json::value::RawValue;
 
 use super::json::json_coordinate;
 
-/// A place: points, lines or rings that are not closed, each in the coordinates of its vertices.
+/// A place: points, lines, or polygons, each an outline and its holes as rings that are not closed; all in the coordinates
+/// of their vertices.
 pub(super) enum Shape {
     Points(Vec<[f64; 2]>),
     Lines(Vec<Vec<[f64; 2]>>),
-    Rings(Vec<Vec<[f64; 2]>>),
+    Polygons(Vec<Vec<Vec<[f64; 2]>>>),
 }
 
 #[derive(Serialize)]
@@ -38,8 +39,8 @@ enum Geometry {
     MultiPoint(Vec<Position>),
     LineString(Vec<Position>),
     MultiLineString(Vec<Vec<Position>>),
-    Polygon([Vec<Position>; 1]),
-    MultiPolygon(Vec<[Vec<Position>; 1]>),
+    Polygon(Vec<Vec<Position>>),
+    MultiPolygon(Vec<Vec<Vec<Position>>>),
 }
 
 type Position = [Box<RawValue>; 2];
@@ -50,6 +51,14 @@ pub(super) fn write_features<P: Serialize>(
     out: &mut impl Write,
 ) -> io::Result<()> {
     out.write_all(b"{\"type\": \"FeatureCollection\", \"features\": [")?;
+    write_list(features, out)
+}
+
+/// Writes the list of features, and the end of the collection.
+pub(super) fn write_list<P: Serialize>(
+    features: impl Iterator<Item = (P, Shape)>,
+    out: &mut impl Write,
+) -> io::Result<()> {
     for (at, (properties, shape)) in features.enumerate() {
         out.write_all(if at == 0 { b"\n" } else { b",\n" })?;
         let feature = Feature {
@@ -82,17 +91,18 @@ fn geometry(shape: Shape) -> Option<Geometry> {
                 _ => Geometry::MultiLineString(lines),
             }
         }
-        Shape::Rings(rings) => {
+        Shape::Polygons(polygons) => {
             let closed = |mut ring: Vec<[f64; 2]>| {
                 ring.extend(ring.first().copied());
-                positions(ring).map(|ring| [ring])
+                positions(ring)
             };
-            let rings: Option<Vec<_>> = rings.into_iter().map(closed).collect();
-            let mut rings = rings?;
-            match rings.len() {
+            let rings = |rings: Vec<Vec<[f64; 2]>>| rings.into_iter().map(closed).collect();
+            let polygons: Option<Vec<_>> = polygons.into_iter().map(rings).collect();
+            let mut polygons = polygons?;
+            match polygons.len() {
                 0 => return None,
-                1 => Geometry::Polygon(rings.remove(0)),
-                _ => Geometry::MultiPolygon(rings),
+                1 => Geometry::Polygon(polygons.remove(0)),
+                _ => Geometry::MultiPolygon(polygons),
             }
         }
     })

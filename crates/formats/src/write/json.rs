@@ -139,7 +139,10 @@ fn write_members<S: Coordinate>(
 }
 
 /// Writes the input's members.
-fn write_input<S: Coordinate>(file: &GraphFile<S>, out: &mut impl Write) -> io::Result<()> {
+pub(super) fn write_input<S: Coordinate>(
+    file: &GraphFile<S>,
+    out: &mut impl Write,
+) -> io::Result<()> {
     let heights = file.heights();
     let point = |(vertex, point): (usize, &[S; 2])| {
         let height = heights.map(|column| column.of(vertex));
@@ -175,7 +178,7 @@ fn write_input<S: Coordinate>(file: &GraphFile<S>, out: &mut impl Write) -> io::
     }
 }
 
-fn member<T: Serialize>(
+pub(super) fn member<T: Serialize>(
     out: &mut impl Write,
     name: &str,
     elements: impl IntoIterator<Item = T>,

@@ -1,5 +1,6 @@
 //! Writers: a [`GraphFile`] and its [`Triangulation`] in, or a graph alone, and text out.
 
+mod cells;
 mod certificate;
 mod certificate_numbers;
 mod certificate_tiling;
@@ -20,6 +21,7 @@ mod vtu;
 
 use std::io::{self, Write};
 
+pub use cells::{Cell, Ridges, write_cells, write_ridges};
 pub use certificate::write_certificate;
 pub use crossings::write_crossings;
 pub use json::json_coordinate;

@@ -86,9 +86,10 @@ fn shape<S: Coordinate>(file: &GraphFile<S>, triangles: &Triangles, violation: V
     };
     let offenders = violation.offenders();
     let corners = offenders.triangles.iter();
-    let rings: Vec<_> = corners.filter_map(|&t| known(&triangles.list[t])).collect();
-    if !rings.is_empty() {
-        return Shape::Rings(rings);
+    let rings = corners.filter_map(|&t| known(&triangles.list[t]));
+    let polygons: Vec<_> = rings.map(|ring| vec![ring]).collect();
+    if !polygons.is_empty() {
+        return Shape::Polygons(polygons);
     }
     let lines: Vec<_> = match &violation {
         Violation::ExtraBoundary { side, .. }

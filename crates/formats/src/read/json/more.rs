@@ -3,7 +3,7 @@
 //! | member | one element for each | which is |
 //! |---|---|---|
 //! | `holes` | hole | `[x, y]` |
-//! | `regions` | region | `[x, y]`, then an attribute, then an area, which is ignored |
+//! | `regions` | region | `[x, y]`, then an attribute, then an area, which only refinement takes |
 //! | `vertex_markers`, `point_markers` | vertex | a whole number, `null`, or a list of one |
 //! | `edge_markers`, `segment_markers` | edge | likewise |
 //! | `vertex_attributes`, `point_attributes` | vertex | a list of numbers; without heights in `points` the first one is the height |
@@ -68,20 +68,16 @@ pub(super) fn read<'a>(source: &'a Source, mut edges: Edges<'a>) -> Result<Edges
                 });
                 let positions: Option<Vec<_>> = positions.collect();
                 edges.regions = seeds(source, &positions.ok_or_else(|| fault(what))?);
-                let attribute = |region: &Vec<&RawValue>| match region.get(2) {
-                    Some(number) => serde_json::from_str(number.get()).ok(),
-                    None => Some(0.0),
+                let numbers = |at: usize| {
+                    let number = |region: &Vec<&RawValue>| match region.get(at) {
+                        Some(area) if at == 3 && area.get() == "null" => Some(0.0),
+                        Some(number) => serde_json::from_str(number.get()).ok(),
+                        None => Some(0.0),
+                    };
+                    let numbers: Option<Vec<f64>> = regions.iter().map(number).collect();
+                    numbers.ok_or_else(|| fault(what))
                 };
-                let attributes: Option<Vec<f64>> = regions.iter().map(attribute).collect();
-                edges.attributes = attributes.ok_or_else(|| fault(what))?;
-                let is_area = |area: &&RawValue| !matches!(area.get(), "-1" | "-1.0" | "null");
-                let areas = regions
-                    .iter()
-                    .filter_map(|region| region.get(3))
-                    .filter(|area| is_area(area));
-                edges
-                    .remarks
-                    .ignore(areas.count(), "area of a region", "areas of regions");
+                [edges.attributes, edges.areas] = [numbers(2)?, numbers(3)?];
             }
             "vertex_markers" | "point_markers" => {
                 let what = format!("a list of {points} whole numbers, one for each point");

@@ -89,7 +89,7 @@ impl<'a, S: Coordinate> Nearby<'a, S> {
 
     /// The points that differ from a place by no more than a tolerance, up to two.
     fn around(&self, place: &[S; 2], tolerance: f64) -> [Option<usize>; 2] {
-        self.first_two(&place[0].around(tolerance), &place[1].around(tolerance))
+        self.first_two(&place[0].within(tolerance), &place[1].within(tolerance))
     }
 
     /// A tolerance, in two digits and less than half of the least distance of two points, within which each place has a

@@ -71,7 +71,7 @@ impl<'a, S: Coordinate, W: Written> Rounded<'a, S, W> {
     /// rounded.
     fn range(&self, rule: Rule, at: usize, axis: usize) -> Option<[S; 2]> {
         if let Some(tolerance) = self.tolerance {
-            return Some(self.points[at][axis].around(tolerance));
+            return Some(self.points[at][axis].within(tolerance));
         }
         let text = self.written.text(at, axis);
         let [low, high] = rule.doubles(&text, self.values[at][axis])?;

@@ -6,7 +6,7 @@
 //! | edges | `edges` or `segments` | (m, 2), numbered from 0 |
 //! | triangles; in a `.npy` as result | `triangles`, `simplices` or `faces` | (t, 3), or (3t,) |
 //! | seeds of holes | `holes` | (h, 2) |
-//! | seeds of regions | `regions` | (r, 3): the third column is the attribute; (r, 4): the area is ignored |
+//! | seeds of regions | `regions` | (r, 3): the third column is the attribute; (r, 4): the fourth the greatest area, which only refinement takes |
 //!
 //! Other arrays are ignored with a remark. What is packed in an archive is unpacked behind a copy of the file, within the limit that
 //! [`Source::unpacked_limit`] sets, and the sums of the archive are checked.
@@ -197,8 +197,9 @@ impl<'a> Arrays<'a> {
         if let Some((name, regions)) = self.array(REGIONS)? {
             graph.regions = self.vertices(name, regions, "(r, 3)")?;
             let columns = graph.regions.columns()?;
-            let attributes = columns.into_iter().next().map(|column| column.values);
-            graph.attributes = attributes.unwrap_or_default();
+            let mut columns = columns.into_iter().map(|column| column.values);
+            graph.attributes = columns.next().unwrap_or_default();
+            graph.areas = columns.next().unwrap_or_default();
             if graph.attributes.len() != graph.regions.coordinates.len() {
                 return Err(self.shape(name, regions, "(r, 3)"));
             }
