@@ -33,6 +33,8 @@ struct Interrupted;
 #[derive(Debug)]
 pub(crate) struct Watch {
     is_over: AtomicBool,
+    /// The exception of a function of the user.
+    exception: Mutex<Option<PyErr>>,
 }
 
 impl Watch {
@@ -40,6 +42,15 @@ impl Watch {
         if self.is_over.load(Ordering::Relaxed) {
             resume_unwind(Box::new(Interrupted));
         }
+    }
+
+    /// Ends the work with an exception of a function of the user.
+    pub(crate) fn end(&self, error: PyErr) -> ! {
+        *self
+            .exception
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner) = Some(error);
+        resume_unwind(Box::new(Interrupted));
     }
 }
 
@@ -52,6 +63,7 @@ pub(crate) fn call<T: Send>(
 ) -> PyResult<T> {
     let watch = Watch {
         is_over: AtomicBool::new(false),
+        exception: Mutex::new(None),
     };
     let work = || {
         if threads == 1 {
@@ -68,7 +80,9 @@ pub(crate) fn call<T: Send>(
     } else {
         py.detach(|| watched(&watch, work))
     };
-    if let Some(signal) = signal {
+    let exception = watch.exception.into_inner();
+    let exception = exception.unwrap_or_else(PoisonError::into_inner);
+    if let Some(signal) = signal.or(exception) {
         return Err(signal);
     }
     match done {

@@ -31,13 +31,13 @@ struct Found {
 
 /// What the exact place is computed from.
 #[derive(Debug)]
-enum Ends {
+pub(crate) enum Ends {
     Doubles(Crossing<f64>),
     Exact(Box<Crossing<BigRational>>),
 }
 
 /// Coordinates that come from Python and go back.
-trait Kind: Exact + Sync + Send {
+pub(crate) trait Kind: Exact + Sync + Send {
     fn ends(crossing: Crossing<Self>) -> Ends;
 
     fn hand(py: Python<'_>, points: Vec<[Self; 2]>) -> PyResult<Bound<'_, PyAny>>;

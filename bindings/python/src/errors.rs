@@ -6,6 +6,7 @@ use pyo3::types::PyDict;
 use sweep_cdt::Error;
 use sweep_cdt::crossings::SplitError;
 use sweep_cdt::interior::{InteriorError, Seed};
+use sweep_cdt_edit::{BoundsError, EditError, RefineError, VoronoiError};
 
 /// What a call gives that fails with an error of the crate.
 #[derive(Debug)]
@@ -13,6 +14,9 @@ pub(crate) enum Fault {
     Input(Error),
     Interior(InteriorError),
     Split(SplitError),
+    Edit(EditError),
+    Refine(RefineError),
+    Voronoi(VoronoiError),
 }
 
 impl From<Error> for Fault {
@@ -36,6 +40,37 @@ impl From<SplitError> for Fault {
             SplitError::Input(error) => Fault::Input(error),
             error => Fault::Split(error),
         }
+    }
+}
+
+impl From<EditError> for Fault {
+    fn from(error: EditError) -> Fault {
+        match error {
+            EditError::CrossingEdges { edges } => Fault::Input(Error::CrossingEdges { edges }),
+            EditError::Refused { error } => Fault::Input(error),
+            error => Fault::Edit(error),
+        }
+    }
+}
+
+impl From<RefineError> for Fault {
+    fn from(error: RefineError) -> Fault {
+        match error {
+            RefineError::Edit(error) => error.into(),
+            error => Fault::Refine(error),
+        }
+    }
+}
+
+impl From<BoundsError> for Fault {
+    fn from(error: BoundsError) -> Fault {
+        Fault::Refine(error.into())
+    }
+}
+
+impl From<VoronoiError> for Fault {
+    fn from(error: VoronoiError) -> Fault {
+        Fault::Voronoi(error)
     }
 }
 
@@ -127,11 +162,42 @@ impl Fault {
                 }
                 "TooLargeError"
             }
+            Fault::Edit(error) => match error {
+                EditError::NoPoint { point } => {
+                    attributes.set_item("point", point)?;
+                    "MissingError"
+                }
+                EditError::NoEdge { edge } => {
+                    attributes.set_item("edge", edge)?;
+                    "MissingError"
+                }
+                EditError::PointInUse { point, edge } => {
+                    attributes.set_item("point", point)?;
+                    attributes.set_item("edge", edge)?;
+                    "PointInUseError"
+                }
+                EditError::NonFiniteCoordinate { point } => {
+                    attributes.set_item("vertex", point)?;
+                    "NonFiniteError"
+                }
+                _ => "Error",
+            },
+            Fault::Refine(_) => "Error",
+            Fault::Voronoi(error) => match error {
+                VoronoiError::NotDelaunay { side: [a, b] } => {
+                    attributes.set_item("side", (a, b))?;
+                    "NotDelaunayError"
+                }
+                _ => "Error",
+            },
         };
         let message = match self {
             Fault::Input(error) => error.to_string(),
             Fault::Interior(error) => error.to_string(),
             Fault::Split(error) => error.to_string(),
+            Fault::Edit(error) => error.to_string(),
+            Fault::Refine(error) => error.to_string(),
+            Fault::Voronoi(error) => error.to_string(),
         };
         Ok((class, message))
     }

@@ -121,6 +121,16 @@ pub(crate) enum View<'a> {
     Exact(&'a [[BigRational; 2]]),
 }
 
+impl View<'_> {
+    /// How many there are.
+    pub(crate) fn len(self) -> usize {
+        match self {
+            View::Doubles(points) => points.len(),
+            View::Exact(points) => points.len(),
+        }
+    }
+}
+
 impl Points<'_> {
     /// Borrows the points.
     pub(crate) fn view(&self) -> PyResult<View<'_>> {

@@ -3,23 +3,26 @@
 //! Python converts what it is given to arrays of doubles or to exact points, and what comes back to other libraries'
 //! objects. Here is what must be fast or exact.
 //!
-//! No class has a state that changes, so that the module needs no lock of the interpreter.
+//! The one class whose state changes has a lock of its own, so that the module needs none of the interpreter.
 
 #![deny(unsafe_code)]
 
 mod calls;
 mod columns;
 mod crossings;
+mod dynamic;
 mod errors;
 mod input;
 mod matching;
 mod measure;
 mod picture;
+mod refine;
 mod remarks;
 mod rule;
 mod trace;
 mod triangulation;
 mod verify;
+mod voronoi;
 
 use mimalloc::MiMalloc;
 use pyo3::prelude::*;
@@ -39,6 +42,8 @@ mod _native {
     #[pymodule_export]
     use crate::crossings::{Crossings, crossings, split};
     #[pymodule_export]
+    use crate::dynamic::Dynamic;
+    #[pymodule_export]
     use crate::input::ExactPoints;
     #[pymodule_export]
     use crate::matching::match_vertices;
@@ -46,6 +51,8 @@ mod _native {
     use crate::measure::fronts;
     #[pymodule_export]
     use crate::picture::picture;
+    #[pymodule_export]
+    use crate::refine::refine;
     #[pymodule_export]
     use crate::remarks::{ignored, without_heights};
     #[pymodule_export]
@@ -56,4 +63,6 @@ mod _native {
     use crate::triangulation::{Core, triangulate, triangulate_inside};
     #[pymodule_export]
     use crate::verify::{advise, verify};
+    #[pymodule_export]
+    use crate::voronoi::{cells, voronoi};
 }

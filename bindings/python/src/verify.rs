@@ -4,13 +4,16 @@ use numpy::PyReadonlyArray2;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use sweep_cdt::verify::{Depth, Depths, Level, Verifier, Violations};
+use sweep_cdt_edit::Bounds;
 use sweep_cdt_engine::{
-    Advice, Answer, Inside, Setting, UnknownName, Verdict, Words, counts, headline,
+    Advice, Answer, Inside, OUT_OF_BOUNDS, Setting, UnknownName, Verdict, Words, counts, headline,
+    violators, with_bounds,
 };
 use sweep_cdt_formats::Numbering;
 
 use crate::calls::call;
 use crate::input::{Input, rows, with_graph};
+use crate::refine::Limits;
 use crate::rule::{named, unknown};
 use crate::triangulation::plain;
 
@@ -27,6 +30,7 @@ pub(crate) struct Question {
     /// The attribute of each triangle, if the input has regions with attributes.
     attributes: Option<Vec<f64>>,
     threads: usize,
+    bounds: Limits,
 }
 
 /// Does work on a question about triangles of an input.
@@ -79,18 +83,34 @@ pub(crate) fn verify<'py>(
     triangles: PyReadonlyArray2<'_, usize>,
     question: Question,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let (answer, verdict) = with_question!(py, input, triangles, question, |question| {
+    let bounds = question.bounds.bounds();
+    let (answer, unbounded, broken) = with_question!(py, input, triangles, question, |question| {
         let answer = question.answer()?;
         let verdict = question.verdict(&answer);
-        Ok((answer, verdict))
+        let broken = violators(&bounds, question.points, question.triangles)?;
+        Ok((answer, verdict, broken))
     });
     let (rule, level) = (named(&question.rule)?, level(&question.level)?);
     let input = match rule {
         Inside::HULL => "the points".to_owned(),
         rule => format!("the interior ({rule})"),
     };
-    let headline = headline(&answer, level, question.max_depth, ["this", &input]);
-    let described = describe(py, answer, verdict)?;
+    let mut headline = headline(&answer, level, question.max_depth, ["this", &input]);
+    let corners: &[[usize; 3]] = rows(&triangles)?;
+    if bounds != Bounds::default() {
+        headline = with_bounds(&headline, sweep_cdt_engine::broken(&broken), corners.len());
+    }
+    let described = describe(py, answer, unbounded.with_bounds(&broken), |violations| {
+        let room = question.limit.saturating_sub(violations.len());
+        violations.extend(broken.iter().take(room).map(|violator| {
+            let t = violator.triangle;
+            let words = violator.words(t);
+            let name = violator.name();
+            (name, words, None, corners[t].to_vec(), vec![], vec![t])
+        }));
+        broken.len()
+    })?;
+    described.set_item("unbounded", unbounded.name())?;
     described.set_item("headline", headline)?;
     Ok(described)
 }
@@ -102,9 +122,13 @@ pub(crate) fn advise(
     input: Input<'_>,
     triangles: PyReadonlyArray2<'_, usize>,
     question: Question,
+    unbounded: &str,
     verdict: &str,
     clockwise: bool,
 ) -> PyResult<String> {
+    if verdict == Verdict::Wrong.name() && unbounded != verdict {
+        return Ok(OUT_OF_BOUNDS.to_owned());
+    }
     let sentence = with_question!(py, input, triangles, question, |question| {
         let advice = if verdict == Verdict::Correct.name() {
             Advice::Correct { clockwise }
@@ -142,8 +166,23 @@ fn level(name: &str) -> PyResult<Level> {
     found.ok_or_else(|| unknown(UnknownName::new("level", name, known)))
 }
 
-/// The answer as a dictionary.
-fn describe(py: Python<'_>, answer: Answer, verdict: Verdict) -> PyResult<Bound<'_, PyDict>> {
+/// A violation: its name, words and depth, and the vertices, edges and triangles that it names.
+type Listed = (
+    &'static str,
+    String,
+    Option<f64>,
+    Vec<usize>,
+    Vec<usize>,
+    Vec<usize>,
+);
+
+/// The answer as a dictionary. `more` adds to the violations, and returns how many more there are.
+fn describe(
+    py: Python<'_>,
+    answer: Answer,
+    verdict: Verdict,
+    more: impl FnOnce(&mut Vec<Listed>) -> usize,
+) -> PyResult<Bound<'_, PyDict>> {
     let is_right = answer.is_ok();
     let (report, list, found, depths) = match answer {
         Ok(report) => (report, Vec::new(), 0, Depths::default()),
@@ -173,6 +212,8 @@ fn describe(py: Python<'_>, answer: Answer, verdict: Verdict) -> PyResult<Bound<
             offenders.triangles,
         )
     });
+    let mut violations: Vec<Listed> = violations.collect();
+    let found = found + more(&mut violations);
     let result = PyDict::new(py);
     result.set_item("verdict", verdict.name())?;
     result.set_item("is_canonical", is_right && report.is_canonical())?;
@@ -183,6 +224,6 @@ fn describe(py: Python<'_>, answer: Answer, verdict: Verdict) -> PyResult<Bound<
     result.set_item("found", found)?;
     result.set_item("deepest", depths.greatest.map(Depth::get))?;
     result.set_item("decades", depths.decades)?;
-    result.set_item("violations", violations.collect::<Vec<_>>())?;
+    result.set_item("violations", violations)?;
     Ok(result)
 }

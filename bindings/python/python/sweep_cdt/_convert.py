@@ -80,6 +80,9 @@ def _places(self: Triangulation, z: Any) -> np.ndarray:
 def to_meshio(self: Triangulation, z: Any = None) -> Any:
     """The triangles inside and the constrained sides as a `meshio.Mesh`.
 
+    The ``cell_data`` are the ``region`` of each triangle, the ``edge`` of each line as of `edge_of`, and its ``marker``,
+    where there are any; -1, and of markers 0, where a cell has none.
+
     Parameters
     ----------
     z : array_like of shape (n,), optional
@@ -98,10 +101,29 @@ def to_meshio(self: Triangulation, z: Any = None) -> Any:
     """
     import meshio
 
-    cells = [("triangle", self.triangles)]
+    cells, data = [("triangle", self.triangles)], {}
+    if self.region is not None:
+        data["region"] = [self.region[self.inside]]
     if len(self.constrained_sides):
         cells.append(("line", self.constrained_sides))
-    return meshio.Mesh(_places(self, z), cells)
+        none = np.full(len(self.triangles), -1, dtype=np.int32)
+        data = {name: [*blocks, np.full(len(self.constrained_sides), -1, dtype=np.int32)] for name, blocks in data.items()}
+        edges = _edges_of_sides(self)
+        data["edge"] = [none, np.where(edges < 0, -1, self.edge_of[edges]).astype(np.int32)]
+        if self.markers is not None:
+            data["marker"] = [np.zeros_like(none), np.where(edges < 0, 0, self.markers[edges]).astype(np.int32)]
+    return meshio.Mesh(_places(self, z), cells, cell_data=data)
+
+
+def _edges_of_sides(self: Triangulation, sides: np.ndarray | None = None) -> np.ndarray:
+    """For each side the first edge that covers it, -1 where there is none."""
+    first: dict[tuple[int, int], int] = {}
+    for edge in range(len(self.edges)):
+        chain = self._core.chain(edge, edge + 1).tolist()
+        for a, b in zip(chain, chain[1:]):
+            first.setdefault((min(a, b), max(a, b)), edge)
+    sides = self.constrained_sides if sides is None else sides
+    return np.array([first.get((min(a, b), max(a, b)), -1) for a, b in sides.tolist()], dtype=np.intp)
 
 
 def to_pyvista(self: Triangulation, z: Any = None) -> Any:
@@ -195,7 +217,8 @@ def to_triangle(self: Triangulation) -> dict[str, np.ndarray]:
     -------
     dict of ndarray
         ``vertices`` of shape (n, 2), ``triangles`` of shape (u, 3), ``segments`` of shape (s, 2), ``holes`` of shape
-        (h, 2) and ``vertex_attributes`` of shape (n, 1).
+        (h, 2) and ``vertex_attributes`` of shape (n, 1). Where there are `markers`, ``segment_markers`` of shape (s, 1);
+        where regions have attributes, ``triangle_attributes`` of shape (u, 1).
 
     Examples
     --------
@@ -213,6 +236,13 @@ def to_triangle(self: Triangulation) -> dict[str, np.ndarray]:
         result["holes"] = seeds
     if self.heights is not None:
         result["vertex_attributes"] = self.heights[:, None]
+    if self.markers is not None:
+        edges = _edges_of_sides(self, segments)
+        result["segment_markers"] = np.where(edges < 0, 0, self.markers[edges]).astype(np.int32)[:, None]
+    if self._input.attributes and self.region is not None:
+        # A number of -1 takes the last one.
+        attributes = np.array([*self._input.attributes, 0.0])
+        result["triangle_attributes"] = attributes[self.region[self.inside]][:, None]
     return {name: np.array(array, order="C") for name, array in result.items()}
 
 

@@ -187,21 +187,12 @@ class Split:
     def edges(self) -> np.ndarray:
         return self._edges.view(np.intp)
 
-    def range(self, edge: int) -> tuple[int, int]:
-        """Where the pieces of an edge begin and end."""
-        first, last = np.searchsorted(self.pieces_of, [edge, edge + 1])
-        return int(first), int(last)
-
     def as_input(self) -> Input:
         """The input with the pieces for edges."""
         given = self._given
-        ring_of = None if given.ring_of is None else given.ring_of[self.pieces_of]
-        # Features of edges are asked for in errors of the input alone.
         return given.changed(
             points=self._points,
-            edges=self._edges,
-            ring_of=ring_of,
             heights=self.heights,
-            feature_of=None,
             remarks=self.remarks,
+            **given.of_pieces(self._edges, self.pieces_of),
         )

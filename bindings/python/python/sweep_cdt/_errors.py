@@ -94,6 +94,26 @@ class MatchError(Error):
     candidates: tuple[int, int]
 
 
+class MissingError(Error, IndexError):
+    """There is no `point` or `edge` of a number: it was removed, or is yet to come."""
+
+    point: int
+    edge: int
+
+
+class PointInUseError(Error):
+    """An `edge` ends at a `point` that is to be removed."""
+
+    point: int
+    edge: int
+
+
+class NotDelaunayError(Error):
+    """An edge keeps a `side`, a pair of points, from being Delaunay, so that there is no Voronoi diagram."""
+
+    side: tuple[int, int]
+
+
 class TooLargeError(Error):
     """There are more points, edges or crossings than the `limit`, or a number that is taken exactly has more digits, or a
     greater exponent: `vertex` and `axis`."""

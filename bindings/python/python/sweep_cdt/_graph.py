@@ -25,20 +25,23 @@ def as_input(given: Any, edges: Any = None, polygons: Any = None, holes: Any = N
         raise Error("edges and polygons go with points; put all shapes in one list of geometries")
     regions: Any = None
     attributes: Sequence[float] = ()
-    heights = None
+    heights = markers = None
     if isinstance(given, dict):
         if "vertices" not in given:
             raise KindError("a dictionary has no 'vertices', as of `triangle`, and is no GeoJSON")
         edges = given.get("segments") if edges is None else edges
         holes = given.get("holes") if holes is None else holes
         regions, attributes = _regions(given.get("regions"))
-        heights = given.get("vertex_attributes")
+        heights, markers = given.get("vertex_attributes"), given.get("segment_markers")
         given = given["vertices"]
     points = as_points(given)
     if heights is not None:
         # The first attribute, as of .node files.
         heights = first_column(heights, len(points), "vertex_attributes")
-    whole = Input(points, as_edges(edges), holes=holes, regions=regions, attributes=attributes, heights=heights)
+    edges = as_edges(edges)
+    if markers is not None:
+        markers = _markers(markers, len(edges))
+    whole = Input(points, edges, holes=holes, regions=regions, attributes=attributes, heights=heights, markers=markers)
     return whole if polygons is None else _with_polygons(whole, polygons)
 
 
@@ -47,6 +50,14 @@ def first_column(given: Any, count: int, name: str) -> np.ndarray | None:
     rows = as_values(given, count, name)
     rows = rows.reshape(count, -1) if count else np.empty((0, 0))
     return np.ascontiguousarray(rows[:, 0]) if rows.shape[1] else None
+
+
+def _markers(given: Any, count: int) -> np.ndarray:
+    """A whole number for each edge."""
+    rows = as_array(given, "segment_markers", columns=None)
+    if rows.dtype.kind not in "iu" or rows.size != count:
+        raise ShapeError(f"segment_markers has the shape {rows.shape}: it is a whole number for each edge", shape=rows.shape)
+    return rows.reshape(count).astype(np.int64)
 
 
 def _regions(given: Any) -> tuple[Any, Sequence[float]]:
@@ -92,12 +103,14 @@ def _with_polygons(given: Input, polygons: Any) -> Input:
             ring_of.append(np.full(len(vertices), len(rings), dtype=np.int64))
             rings.append((polygon, position > 0))
     known = np.concatenate(heights)
+    new = np.zeros(sum(map(len, sides)) - len(given.edges), dtype=np.int64)
     return given.changed(
         points=given.points if added is None else np.concatenate(added),
         edges=np.concatenate(sides),
         rings=rings,
         ring_of=np.concatenate(ring_of) if rings else None,
         features=features,
+        markers=None if given.markers is None else np.r_[given.markers, new],
         heights=None if np.isnan(known).all() else known,
         crs=crs,
     )

@@ -176,6 +176,7 @@ class Input:
         attributes: Sequence[float] = (),
         features: Sequence[int] | None = None,
         heights: np.ndarray | None = None,
+        markers: np.ndarray | None = None,
         crs: Any = None,
         feature_of: tuple[np.ndarray, np.ndarray] | None = None,
         remarks: Sequence[Remark] = (),
@@ -194,6 +195,8 @@ class Input:
         self.features = features
         # The height of each point, if any has one; and the coordinate system.
         self.heights = heights
+        # The marker of each edge, if they have any.
+        self.markers = markers
         self.crs = crs
         # The feature of each point and of each edge, if the input is of geometries.
         self.feature_of = feature_of
@@ -207,6 +210,16 @@ class Input:
         other.__dict__.update(attributes)
         other._alike()
         return other
+
+    def of_pieces(self, edges: np.ndarray, pieces_of: np.ndarray) -> dict[str, Any]:
+        """What belongs to pieces of the edges, and to new edges behind them. Features of edges are asked for in errors of
+        the input alone."""
+        new = len(edges) - len(pieces_of)
+        ring_of, markers = (
+            None if of_edge is None else np.r_[of_edge[pieces_of], np.full(new, none, dtype=np.int64)]
+            for of_edge, none in ((self.ring_of, -1), (self.markers, 0))
+        )
+        return {"edges": edges, "ring_of": ring_of, "markers": markers, "feature_of": None}
 
     def feature_of_edge(self, edge: int) -> int | None:
         """The feature or polygon of an edge."""

@@ -7,10 +7,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from . import _native
 from ._arrays import as_array, as_values, listed
 from ._errors import ShapeError
 from ._geometries import agree, as_geometries, as_places, gathered
-from ._input import Input, as_points
+from ._input import NO_EDGES, Input, as_points
 from ._remarks import Remark, say
 
 if TYPE_CHECKING:
@@ -46,7 +47,7 @@ def find_simplex(self: Triangulation, xi: Any, bruteforce: bool = False, tol: fl
     [0, 0, -1]
     """
     del bruteforce, tol
-    points, queries, finite, shape = _queries(xi, "xi", self._input)
+    points, queries, finite, shape = as_queries(xi, "xi", self._input)
     found = np.full(len(finite), -1, dtype=np.int32)
     found[finite] = self._core.locate(points, queries)
     return found.reshape(shape)
@@ -89,7 +90,7 @@ def interpolate(self: Triangulation, values: Any, xi: Any, *, strict: bool = Fal
     count = len(self._input.points)
     values = as_values(values, count)
     rest = values.shape[1:]
-    points, queries, finite, shape = _queries(_stacked(xi), "xi", self._input)
+    points, queries, finite, shape = as_queries(_stacked(xi), "xi", self._input)
     columns = np.ascontiguousarray(values.reshape(count, math.prod(rest)))
     for column in columns.T if len(self.duplicates) else ():
         say(of_equal(self, column, "values")[1], strict)
@@ -97,6 +98,43 @@ def interpolate(self: Triangulation, values: Any, xi: Any, *, strict: bool = Fal
     found = self._core.interpolate(self._input, self.rule, columns, (points, queries))
     result[finite] = found.reshape(len(queries), columns.shape[1])
     return result.reshape(shape + rest)
+
+
+def nearest(self: Triangulation, xi: Any) -> np.ndarray:
+    """The point nearest to each place, decided exactly; of several the first.
+
+    Parameters
+    ----------
+    xi : array_like of shape (..., 2), or points as geometries
+        The places, as of `find_simplex`.
+
+    Returns
+    -------
+    ndarray of int of shape (...)
+        Positions in `points`; -1 where there is none, and for places that are not finite, masked or missing.
+
+    Examples
+    --------
+    >>> import sweep_cdt
+    >>> shops = sweep_cdt.triangulate([[0, 0], [8, 0], [8, 6]])
+    >>> shops.nearest([[9, 2], [4, 3]]).tolist()
+    [1, 0]
+    """
+    points, places, finite, shape = as_queries(xi, "xi", self._input)
+    found = np.full(len(finite), -1, dtype=np.intp)
+    found[finite] = _dynamic(self, points).nearest(places)
+    return found.reshape(shape)
+
+
+def _dynamic(self: Triangulation, points: Any) -> _native.Dynamic:
+    """The points alone, in the arithmetic of what is looked for; kept where that is their own."""
+    if points is self._input.points and self._points_alone is not None:
+        return self._points_alone
+    found = _native.Dynamic(not isinstance(points, np.ndarray))
+    found.edit(points, NO_EDGES, [], [])
+    if points is self._input.points:
+        self._points_alone = found
+    return found
 
 
 def of_equal(self: Triangulation, values: np.ndarray, name: str) -> tuple[np.ndarray, list[Remark]]:
@@ -109,7 +147,7 @@ def of_equal(self: Triangulation, values: np.ndarray, name: str) -> tuple[np.nda
     return shared[first], remarks
 
 
-def _queries(given: Any, name: str, own: Input) -> tuple[Any, Any, np.ndarray, tuple[int, ...]]:
+def as_queries(given: Any, name: str, own: Input) -> tuple[Any, Any, np.ndarray, tuple[int, ...]]:
     """The points of an input, and those to look for in the same arithmetic, without those that are not finite; which are
     finite, and the shape of what is handed in: an array or geometries."""
     given = listed(given)

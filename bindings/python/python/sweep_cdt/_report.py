@@ -94,7 +94,7 @@ class Report:
 
         What it names was tried, and accepts the result.
         """
-        return self._question.ask(_native.advise, self.verdict, self.is_clockwise)
+        return self._question.ask(_native.advise, self._answer["unbounded"], self.verdict, self.is_clockwise)
 
     @functools.cached_property
     def violations(self) -> np.ndarray:

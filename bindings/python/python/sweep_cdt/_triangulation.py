@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import _convert, _native, _places
+from . import _convert, _native, _places, _refine, _voronoi
 from ._errors import CrossingEdgesError
 from ._geometries import HEIGHT
 from ._graph import as_input
@@ -214,6 +214,16 @@ class Triangulation:
         The rule for what is inside.
     split : Split or None
         How edges were split, if `split_crossings` was asked for. Then `points` and `edges` are those of the pieces.
+    edge_of : ndarray of int of shape (m,)
+        The edge that each of `edges` is a part of, where edges were split or refined; otherwise itself. -1 for sides of
+        the hull that refinement made edges.
+    added_from : int
+        Points from this position on were added by `refine`.
+    left : ndarray
+        Triangles that break a bound of `refine` still: records of ``triangle`` (a position in `triangles`), ``bound``
+        and ``reason``.
+    markers : ndarray of int of shape (m,), or None
+        The ``segment_markers`` of a dictionary, also those of parts; 0 for edges without one.
     remarks : tuple of Remark
         What was ignored, merged or decided, and what is missing.
     stats : dict
@@ -235,6 +245,10 @@ class Triangulation:
         self._threads = threads
         self._settings = settings
         self.split = split
+        # The points alone, once the nearest of them was asked for.
+        self._points_alone: _native.Dynamic | None = None
+        # How a mesh was refined: how many points there were, the edge of each part, how many edges, and what is left.
+        self._refined: tuple[Any, ...] | None = None
 
     def __repr__(self) -> str:
         points, edges, inside = len(self._input.points), len(self._input.edges), ""
@@ -245,7 +259,7 @@ class Triangulation:
 
     def __reduce__(self) -> tuple[Any, ...]:
         # The result depends on the input alone, so that it need not be stored.
-        return _again, (self._input, self.rule, self._threads, self._settings, self.split)
+        return _again, (self._input, self.rule, self._threads, self._settings, self.split, self._refined)
 
     @functools.cached_property
     def points(self) -> np.ndarray:
@@ -349,6 +363,31 @@ class Triangulation:
             "hull": len(self.convex_hull),
         }
 
+    @functools.cached_property
+    def edge_of(self) -> np.ndarray:
+        if self._refined is not None:
+            parts = self._refined[1]
+            return _fixed(np.r_[parts, np.full(len(self.edges) - len(parts), -1)])
+        return _fixed(np.arange(len(self.edges)) if self.split is None else self.split.pieces_of.copy())
+
+    @property
+    def _edge_count(self) -> int:
+        if self._refined is not None:
+            return self._refined[2]
+        return len(self.edges) if self.split is None else self.split.count
+
+    @property
+    def added_from(self) -> int:
+        return len(self._input.points) if self._refined is None else self._refined[0]
+
+    @functools.cached_property
+    def left(self) -> np.ndarray:
+        return _refine.records(self, [] if self._refined is None else self._refined[3])
+
+    @property
+    def markers(self) -> np.ndarray | None:
+        return self._input.markers
+
     def canonical(self) -> np.ndarray:
         """The triangles inside in the order that the command writes: each with its lowest corner first, sorted.
 
@@ -372,12 +411,13 @@ class Triangulation:
         ndarray of int32
             From the first end to the second. A single vertex, if the ends are equal.
         """
-        count = len(self.edges) if self.split is None else self.split.count
+        count = self._edge_count
         if not -count <= edge < count:
             raise IndexError(f"there is no edge {edge}: there are {count}")
         edge %= count
-        first, last = (edge, edge + 1) if self.split is None else self.split.range(edge)
-        return self._core.chain(first, last)
+        # Edges without one before them come last.
+        first, last = np.searchsorted(self.edge_of[self.edge_of >= 0], [edge, edge + 1])
+        return self._core.chain(int(first), int(last))
 
     def boundary(self) -> list[np.ndarray]:
         """The closed chains of vertices around what is inside: outlines counter-clockwise, holes clockwise.
@@ -392,6 +432,11 @@ class Triangulation:
     # Where points lie, and values there.
     find_simplex = _places.find_simplex
     interpolate = _places.interpolate
+    nearest = _places.nearest
+
+    # What is made of it.
+    refine = _refine.refine
+    voronoi = _voronoi.voronoi
 
     # To other libraries.
     to_geodataframe = _convert.to_geodataframe
@@ -418,10 +463,15 @@ class Triangulation:
 
 
 def _again(
-    given: Input, rule: str, threads: int, settings: tuple[str, str, str] | None, split: Split | None
+    given: Input,
+    rule: str,
+    threads: int,
+    settings: tuple[str, str, str] | None,
+    split: Split | None,
+    refined: tuple[Any, ...] | None,
 ) -> Triangulation:
     result = made(given, rule, False, threads, settings)
-    result.split = split
+    result.split, result._refined = split, refined
     return result
 
 

@@ -13,6 +13,7 @@ from ._errors import Error, KindError
 from ._foreign import Result, as_result
 from ._graph import as_input
 from ._input import Input, as_count, as_indices, called
+from ._refine import as_bounds
 from ._remarks import say
 from ._report import Report
 from ._triangulation import made
@@ -34,6 +35,8 @@ class Question:
     limit: int
     attributes: list[float] | None
     threads: int
+    # The bounds on triangles.
+    bounds: dict[str, float | None]
     # How vertices were matched, in words.
     matched: str
 
@@ -48,6 +51,7 @@ class Question:
             "limit": self.limit,
             "attributes": self.attributes if has_regions else None,
             "threads": self.threads,
+            "bounds": self.bounds,
         }
         return called(function, self.given, self.triangles, asked, *arguments)
 
@@ -62,6 +66,9 @@ def verify(
     domain: str | None = None,
     level: str = "delaunay",
     max_depth: float | None = None,
+    min_angle: float | None = None,
+    max_area: float | None = None,
+    max_side: float | None = None,
     tolerance: float | None = None,
     by_number: bool = False,
     steiner: bool = False,
@@ -93,6 +100,10 @@ def verify(
         What the triangles must reach. Each level includes those before it.
     max_depth : float, optional
         How deep violations may be that count as rounding: 1e-12 accepts what doubles do.
+    min_angle, max_area, max_side : float, optional
+        Bounds on each triangle, in degrees and in the units of the points: the least angle, the greatest area, and the
+        longest side, decided by exact signs. A triangle that breaks one is a violation: ``small-angle``, ``large-area``
+        or ``long-side``.
     tolerance : float, optional
         By how much a coordinate of the result may differ from the input's.
     by_number : bool, optional
@@ -160,6 +171,7 @@ def verify(
         as_count(limit, "limit"),
         result.attributes,
         as_count(1 if threads is None else threads, "threads"),
+        as_bounds(min_angle, max_area, max_side),
         matched,
     )
     return Report(question, question.ask(_native.verify))

@@ -1,0 +1,182 @@
+//! The triangulation that changes. A lock of its own lets one thread at a time change or read it.
+
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use num_rational::BigRational;
+use numpy::{IntoPyArray, PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
+use pyo3::prelude::*;
+use sweep_cdt_edit::{DynamicTriangulation, EditError, Edits};
+
+use crate::calls::call;
+use crate::crossings::Kind;
+use crate::errors::{Fault, refused};
+use crate::input::{Points, View, rows};
+use crate::triangulation::table;
+
+/// A triangulation that changes.
+#[pyclass(frozen, module = "sweep_cdt._native")]
+#[derive(Debug)]
+pub(crate) struct Dynamic {
+    state: Mutex<State>,
+}
+
+/// Of which coordinates it is.
+#[derive(Debug)]
+enum State {
+    Doubles(DynamicTriangulation<f64>),
+    Exact(DynamicTriangulation<BigRational>),
+}
+
+/// Does the same with a triangulation of either arithmetic.
+macro_rules! with_state {
+    ($state:expr, |$name:ident| $body:expr) => {
+        match $state {
+            State::Doubles($name) => $body,
+            State::Exact($name) => $body,
+        }
+    };
+}
+
+/// The first numbers of new points and edges and the ones after their last, and the triangles that are gone and new.
+type Changed<'py> = (
+    [usize; 2],
+    [usize; 2],
+    Bound<'py, PyArray2<usize>>,
+    Bound<'py, PyArray2<usize>>,
+);
+
+fn differ() -> PyErr {
+    refused(
+        "the points are doubles, and these are not: begin with an exact triangulation".to_owned(),
+    )
+}
+
+#[pymethods]
+impl Dynamic {
+    #[new]
+    fn new(is_exact: bool) -> Dynamic {
+        let state = match is_exact {
+            true => State::Exact(DynamicTriangulation::new()),
+            false => State::Doubles(DynamicTriangulation::new()),
+        };
+        Dynamic {
+            state: Mutex::new(state),
+        }
+    }
+
+    /// Makes all edits at once, or none.
+    fn edit<'py>(
+        &self,
+        py: Python<'py>,
+        points: Points<'_>,
+        edges: PyReadonlyArray2<'_, usize>,
+        remove_points: Vec<usize>,
+        remove_edges: Vec<usize>,
+    ) -> PyResult<Changed<'py>> {
+        let edges = rows(&edges)?.to_vec();
+        let view = points.view()?;
+        let size = view.len() + edges.len() + remove_points.len() + remove_edges.len();
+        let change = match (&mut *self.lock(py), view) {
+            (State::Doubles(state), View::Doubles(points)) => call(py, size, 1, |_| {
+                let points = points.to_vec();
+                Ok(state.apply(Edits {
+                    points,
+                    edges,
+                    remove_points,
+                    remove_edges,
+                })?)
+            }),
+            (State::Exact(state), View::Exact(points)) => call(py, size, 1, |_| {
+                let points = points.to_vec();
+                Ok(state.apply(Edits {
+                    points,
+                    edges,
+                    remove_points,
+                    remove_edges,
+                })?)
+            }),
+            _ => Err(differ()),
+        }?;
+        Ok((
+            [change.points.start, change.points.end],
+            [change.edges.start, change.edges.end],
+            table(py, change.gone)?,
+            table(py, change.new)?,
+        ))
+    }
+
+    /// All triangles in canonical order.
+    fn triangles<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<usize>>> {
+        let list = with_state!(&*self.lock(py), |state| state.canonical_triangles());
+        table(py, list)
+    }
+
+    /// The numbers of the points that are there.
+    fn numbers<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<usize>> {
+        let numbers: Vec<usize> = with_state!(&*self.lock(py), |state| state.points().collect());
+        numbers.into_pyarray(py)
+    }
+
+    /// The places of points.
+    fn places<'py>(
+        &self,
+        py: Python<'py>,
+        numbers: PyReadonlyArray1<'_, usize>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        with_state!(&*self.lock(py), |state| {
+            let places = numbers.as_array();
+            let places = places.iter().map(|&number| {
+                let place = state.point(number);
+                let missing = EditError::NoPoint { point: number };
+                place.cloned().ok_or_else(|| Fault::from(missing).raise(py))
+            });
+            Kind::hand(py, places.collect::<PyResult<Vec<_>>>()?)
+        })
+    }
+
+    /// The numbers of the edges that are there, and their ends.
+    fn edges<'py>(
+        &self,
+        py: Python<'py>,
+    ) -> PyResult<(Bound<'py, PyArray1<usize>>, Bound<'py, PyArray2<usize>>)> {
+        let (numbers, ends): (Vec<usize>, Vec<[usize; 2]>) =
+            with_state!(&*self.lock(py), |state| state.edges().unzip());
+        Ok((numbers.into_pyarray(py), table(py, ends)?))
+    }
+
+    /// The vertices along an edge.
+    fn chain(&self, py: Python<'_>, edge: usize) -> PyResult<Vec<usize>> {
+        let chain = with_state!(&*self.lock(py), |state| state.edge_chain(edge));
+        chain.ok_or_else(|| Fault::from(EditError::NoEdge { edge }).raise(py))
+    }
+
+    /// The number of the point nearest to each place, -1 if there is none.
+    fn nearest<'py>(
+        &self,
+        py: Python<'py>,
+        places: Points<'_>,
+    ) -> PyResult<Bound<'py, PyArray1<i64>>> {
+        let view = places.view()?;
+        let number = |found: Option<usize>| found.map_or(-1, |v| v as i64);
+        let found: Vec<i64> = match (&*self.lock(py), view) {
+            (State::Doubles(state), View::Doubles(places)) => {
+                py.detach(|| places.iter().map(|p| number(state.nearest(p))).collect())
+            }
+            (State::Exact(state), View::Exact(places)) => {
+                py.detach(|| places.iter().map(|p| number(state.nearest(p))).collect())
+            }
+            _ => return Err(differ()),
+        };
+        Ok(found.into_pyarray(py))
+    }
+}
+
+impl Dynamic {
+    /// Waits without the interpreter's lock, which the thread that holds this one may need.
+    fn lock(&self, py: Python<'_>) -> MutexGuard<'_, State> {
+        use pyo3::sync::MutexExt;
+        self.state
+            .lock_py_attached(py)
+            .unwrap_or_else(PoisonError::into_inner)
+    }
+}

@@ -1,0 +1,132 @@
+"""The triangulation that changes: after any edits it is that of a fresh run, and what is refused changes nothing."""
+
+import threading
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import sweep_cdt
+
+WALLS = [[0, 1], [1, 2], [2, 3], [3, 0]]
+CORNERS = [[0, 0], [9, 0], [9, 6], [0, 6]]
+PLACE = st.tuples(st.integers(0, 4), st.integers(0, 4))
+# What an edit asks for: places that come, and draws of points and edges that go and of ends of edges that come.
+STEP = st.tuples(
+    st.lists(PLACE, max_size=4),
+    *[st.lists(st.integers(0, 50), max_size=3)] * 2,
+    st.lists(st.tuples(st.integers(0, 50), st.integers(0, 50)), max_size=2),
+)
+
+
+def state(dynamic):
+    return [dynamic.triangles.tolist(), dynamic.points.tolist(), dynamic.edges.tolist(), dynamic.ends.tolist()]
+
+
+def fresh(points, edges):
+    """The triangles of a fresh run on what is there, by the numbers of the points."""
+    numbers = sorted(points)
+    ends = [[numbers.index(v) for v in pair] for pair in edges.values()]
+    result = sweep_cdt.triangulate([points[v] for v in numbers], ends)
+    return [[numbers[v] for v in corners] for corners in result.canonical().tolist()]
+
+
+@pytest.mark.parametrize("kind", [float, Fraction])
+@given(steps=st.lists(STEP, max_size=6))
+def test_any_history_is_a_fresh_run(kind, steps):
+    dynamic = sweep_cdt.DynamicTriangulation([[kind(0), kind(0)]])
+    points, edges = {0: (0, 0)}, {}
+    next_point, next_edge, triangles = 1, 0, []
+    for places, gone, opened, pairs in steps:
+        new = dict(enumerate(places, next_point))
+        known = [*points, *new]
+        gone = sorted({sorted(points)[n % len(points)] for n in gone}) if points else []
+        opened = sorted({sorted(edges)[n % len(edges)] for n in opened}) if edges else []
+        ends = [(known[a % len(known)], known[b % len(known)]) for a, b in pairs] if known else []
+        before = state(dynamic)
+        exact = [[kind(x), kind(y)] for x, y in places]
+        try:
+            change = dynamic.edit(points=exact, edges=ends, remove_points=gone, remove_edges=opened)
+        except (sweep_cdt.CrossingEdgesError, sweep_cdt.PointInUseError):
+            assert state(dynamic) == before
+            continue
+        points = {v: p for v, p in {**points, **new}.items() if v not in gone}
+        edges = {e: p for e, p in {**edges, **dict(enumerate(ends, next_edge))}.items() if e not in opened}
+        assert change.points.tolist() == list(new) and change.edges.tolist() == list(range(next_edge, next_edge + len(ends)))
+        next_point, next_edge = next_point + len(new), next_edge + len(ends)
+        assert state(dynamic) == [fresh(points, edges), sorted(points), sorted(edges), [list(edges[e]) for e in sorted(edges)]]
+        if len(set(points.values())) == len(points):
+            # No triangle has a corner with another name.
+            changed = [t for t in map(tuple, triangles) if t not in set(map(tuple, dynamic.triangles.tolist()))]
+            assert set(changed) <= set(map(tuple, change.gone.tolist()))
+        triangles = dynamic.triangles.tolist()
+        assert dynamic.triangulation().canonical().tolist() == [
+            [sorted(points).index(v) for v in corners] for corners in triangles
+        ]
+
+
+def test_errors_name_what_is_in_the_way_and_change_nothing():
+    room = sweep_cdt.DynamicTriangulation(CORNERS, WALLS)
+    change = room.insert([[5, 4]], [[0, 4]])
+    assert change.points.tolist() == [4] and change.edges.tolist() == [4]
+    before = state(room)
+    with pytest.raises(sweep_cdt.CrossingEdgesError) as caught:
+        room.insert(edges=[[1, 3]])
+    assert caught.value.edges == (4, 5)
+    with pytest.raises(sweep_cdt.PointInUseError) as caught:
+        room.remove([4])
+    assert (caught.value.point, caught.value.edge) == (4, 4)
+    with pytest.raises(sweep_cdt.MissingError) as caught:
+        room.remove(edges=[7])
+    assert caught.value.edge == 7 and isinstance(caught.value, IndexError)
+    for numbers in ([5], [-1]):
+        with pytest.raises(sweep_cdt.MissingError):
+            room.remove(numbers)
+        with pytest.raises(sweep_cdt.MissingError):
+            room.places(numbers)
+        with pytest.raises(sweep_cdt.MissingError):
+            room.edge_chain(numbers[0])
+    with pytest.raises(sweep_cdt.NonFiniteError) as caught:
+        room.insert([[1, 1], [np.nan, 0]])
+    assert caught.value.vertex == 6
+    for wrong in (["a"], [0.5], [[1]]):
+        with pytest.raises(sweep_cdt.KindError):
+            room.remove(wrong)
+    with pytest.raises(sweep_cdt.KindError, match="Fraction"):
+        room.insert([[Fraction(1, 3), 1]])
+    assert state(room) == before
+    assert room.remove([4], [4]).gone.tolist() == [[0, 1, 4], [0, 4, 3], [1, 2, 4], [2, 3, 4]]
+
+
+@given(st.lists(PLACE, max_size=9), st.lists(st.tuples(*[st.integers(-8, 40).map(lambda n: n / 8)] * 2), min_size=1, max_size=9))
+def test_the_nearest_point_is_that_of_all_distances(points, places):
+    result = sweep_cdt.triangulate(points)
+    distance = lambda p, q: sum((Fraction(a) - Fraction(b)) ** 2 for a, b in zip(p, q))
+    wanted = [min(range(len(points)), key=lambda v: distance(points[v], q), default=-1) for q in places]
+    assert result.nearest(places).tolist() == wanted
+    exactly = sweep_cdt.triangulate([[Fraction(x), Fraction(y)] for x, y in points])
+    assert exactly.nearest(places).tolist() == wanted
+    assert result.nearest([[Fraction(x), Fraction(1, 3) + Fraction(y)] for x, y in places]).tolist() == [
+        min(range(len(points)), key=lambda v: distance(points[v], (q[0], Fraction(1, 3) + Fraction(q[1]))), default=-1)
+        for q in places
+    ]
+    assert sweep_cdt.DynamicTriangulation(points).nearest(places).tolist() == wanted
+
+
+def test_places_that_are_none_have_no_nearest_point():
+    assert sweep_cdt.triangulate(CORNERS).nearest([[np.nan, 0], [1, 1]]).tolist() == [-1, 0]
+    assert sweep_cdt.triangulate(CORNERS).nearest([8, 1]).tolist() == 1
+
+
+def test_threads_share_a_triangulation():
+    shared = sweep_cdt.DynamicTriangulation()
+    insert = lambda seed: [shared.insert(np.random.default_rng(seed + n).random((5, 2))) for n in range(40)]
+    threads = [threading.Thread(target=insert, args=(seed,)) for seed in (0, 1000, 2000)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    places = shared.places(shared.points)
+    assert len(places) == 600 and shared.triangles.tolist() == sweep_cdt.triangulate(places).canonical().tolist()
