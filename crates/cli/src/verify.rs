@@ -450,9 +450,8 @@ impl Job for Run<'_> {
                 Inside::HULL => input.clone(),
                 rule => interior(rule),
             };
-            let (level, max_depth) = (arguments.level, arguments.max_depth);
             let files = [&*result, &*verified];
-            let headline = headline(&answer, level, max_depth, files);
+            let headline = headline(&answer, arguments.level, arguments.max_depth, files);
             let bounded = bounds.as_ref().map(|bounds| bounds.headline(&headline));
             writeln!(out, "{}", bounded.unwrap_or(headline))?;
             writeln!(out, "{}", triangles.matched.words())?;
