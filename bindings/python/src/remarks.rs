@@ -64,6 +64,20 @@ fn numbers<'py>(py: Python<'py>, remark: &Remark) -> PyResult<Bound<'py, PyDict>
         Remark::TracedTwice { edges } | Remark::NothingInside { edges, .. } => {
             numbers.set_item("edges", edges)?;
         }
+        Remark::Unrefined { triangles, reason } => {
+            numbers.set_item("triangles", triangles)?;
+            numbers.set_item("reason", reason)?;
+        }
+        Remark::SharedCells { points } => numbers.set_item("points", points)?,
+        Remark::Interpolated { heights, outside } => {
+            numbers.set_item("heights", heights)?;
+            numbers.set_item("outside", outside)?;
+        }
+        Remark::OffTerrain { missing, places } => {
+            numbers.set_item("missing", missing)?;
+            numbers.set_item("places", places)?;
+        }
+        Remark::HalfOfTheGlobe { edges } => numbers.set_item("edges", edges)?,
         _ => {}
     }
     Ok(numbers)

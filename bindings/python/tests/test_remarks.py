@@ -59,7 +59,10 @@ def test_geometries_and_crossings_that_contradict_each_other():
         sweep_cdt.split(lines(shapely, 5), strict=True)
     assert sweep_cdt.split(lines(shapely, 4), strict=True).remarks == ()
     points = [shapely.Point(0, 0, 1), shapely.Point(1, 0, 2), shapely.Point(0, 0, 3)]
-    for call in (sweep_cdt.triangulate, sweep_cdt.crossings, sweep_cdt.trace, sweep_cdt.measure, sweep_cdt.split):
+    calls = [sweep_cdt.triangulate, sweep_cdt.crossings, sweep_cdt.trace, sweep_cdt.measure, sweep_cdt.split]
+    for call in [*calls, lambda points, **options: sweep_cdt.verify(points, [], **options)]:
+        with pytest.raises(sweep_cdt.RemarkError):
+            call(points, strict=True)
         with pytest.warns(sweep_cdt.RemarkWarning, match="vertex 0 has two numbers for z, 1 and 3: 1 counts"):
             call(points)
 
