@@ -32,7 +32,7 @@ pub(crate) struct Mesh<'a> {
     pub(crate) input: &'a FileArgument,
     pub(crate) result: &'a ResultArgs,
     pub(crate) scalar: &'a ScalarArgs,
-    pub(crate) bounds: Bounds,
+    pub(crate) bounds: Option<Bounds>,
     pub(crate) limit: usize,
     pub(crate) is_json: bool,
 }
@@ -44,6 +44,12 @@ impl Mesh<'_> {
         mut read: FilesRead,
         refused: impl Fn(&ResultError) -> Failure,
     ) -> Result<(), Failure> {
+        let bounds = self.bounds.ok_or_else(|| {
+            let options = "--min-angle, --max-area and --max-side";
+            let message =
+                format!("RESULT is missing: of a mesh by itself only {options} are asked");
+            Failure::Usage(message)
+        })?;
         let mut prints = Vec::new();
         let files = self.result.load(self.input, &mut read, |source| {
             prints.extend(self.is_json.then(|| Fingerprint::of(source)));
@@ -51,13 +57,14 @@ impl Mesh<'_> {
         // The vertices are read in the type of an input without any.
         let empty = Input::Doubles(GraphFile::default());
         match self.scalar.convert(&self.input.input_name(), empty)? {
-            Input::Doubles(file) => self.verify_as(file, &files, &prints, refused),
-            Input::Rationals(file) => self.verify_as(file, &files, &prints, refused),
+            Input::Doubles(file) => self.verify_as(bounds, file, &files, &prints, refused),
+            Input::Rationals(file) => self.verify_as(bounds, file, &files, &prints, refused),
         }
     }
 
     fn verify_as<S: Coordinate>(
         &self,
+        bounds: Bounds,
         mut file: GraphFile<S>,
         ResultFiles {
             format,
@@ -78,7 +85,7 @@ impl Mesh<'_> {
                 "the triangles have no coordinates: give the INPUT with the vertices first";
             return Err(Failure::Error(format!("{}: {message}", name)));
         }
-        let bounded = Bounded::new(self.bounds, points, &triangles, self.limit)?;
+        let bounded = Bounded::new(bounds, points, &triangles, self.limit)?;
         let verdict = Verdict::Correct.with_bounds(&bounded.violators);
         let count = triangles.list.len();
         print(|out| {

@@ -230,12 +230,11 @@ impl Verify {
                 &self.write_certificate,
             ];
             let is_asked_more = self.stream || others.iter().any(|file| file.is_some());
-            let bounds = self.bounds.given().filter(|_| !is_asked_more);
             let mesh = Mesh {
                 input: &self.input.input,
                 result: &self.result,
                 scalar: &self.scalar,
-                bounds: bounds.ok_or_else(only_bounds)?,
+                bounds: self.bounds.given().filter(|_| !is_asked_more),
                 limit: self.limit,
                 is_json: self.json,
             };
@@ -247,7 +246,12 @@ impl Verify {
             return Err(Failure::Usage(message.to_owned()));
         }
         if self.stream {
-            return verify_stream(&self.sort, self.level, &self.input.input, result);
+            return verify_stream(
+                &self.sort,
+                self.level,
+                (&self.input.input, &self.reading.columns),
+                result,
+            );
         }
         self.sort.refuse_without("--stream")?;
         let svg = self.svg.clone().map(Destination::of_path).transpose()?;
@@ -399,6 +403,8 @@ impl Job for Run<'_> {
             triangles: &triangles,
             bounds: bounds.as_ref(),
         };
+        let result = arguments.result.result.as_ref();
+        let result = result.map_or(String::new(), FileArgument::input_name);
         let advice = (!arguments.json).then(|| match unbounded {
             Verdict::Wrong => advice(&given, &question, &answer),
             _ if !violators.is_empty() => OUT_OF_BOUNDS.to_owned(),
@@ -438,8 +444,6 @@ impl Job for Run<'_> {
             let Some(advice) = &advice else {
                 return record::write(&subject, &answer, out);
             };
-            let result = arguments.result.result.as_ref();
-            let result = result.map_or(String::new(), FileArgument::input_name);
             let input = arguments.input.name();
             let interior = |rule: Inside| format!("the interior of {input} ({rule})");
             let verified = match domain {
@@ -449,10 +453,8 @@ impl Job for Run<'_> {
             let (level, max_depth) = (arguments.level, arguments.max_depth);
             let files = [&*result, &*verified];
             let headline = headline(&answer, level, max_depth, files);
-            match &bounds {
-                Some(bounds) => writeln!(out, "{}", bounds.headline(&headline))?,
-                None => writeln!(out, "{headline}")?,
-            }
+            let bounded = bounds.as_ref().map(|bounds| bounds.headline(&headline));
+            writeln!(out, "{}", bounded.unwrap_or(headline))?;
             writeln!(out, "{}", triangles.matched.words())?;
             let report = verification::report(&answer);
             if report.clockwise {
@@ -474,13 +476,6 @@ impl Job for Run<'_> {
             Verdict::Wrong => Err(Failure::Wrong),
         }
     }
-}
-
-fn only_bounds() -> Failure {
-    let options = "--min-angle, --max-area and --max-side";
-    Failure::Usage(format!(
-        "RESULT is missing: of a mesh by itself only {options} are asked"
-    ))
 }
 
 /// Reads a difference.

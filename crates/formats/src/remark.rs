@@ -3,6 +3,8 @@
 
 use std::fmt;
 
+use serde::Serialize;
+
 /// Something about a file or a result that its user should know.
 ///
 /// ```
@@ -17,7 +19,8 @@ use std::fmt;
 /// assert_eq!((file.remarks[0].name(), file.remarks[0].is_loss()), ("ignored", true));
 /// # Ok::<(), sweep_cdt_formats::ReadError>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
 #[non_exhaustive]
 pub enum Remark {
     /// The file says something, and nothing is made of it.
@@ -141,7 +144,8 @@ pub enum Remark {
 }
 
 /// Why there are no triangles.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(tag = "why", rename_all = "kebab-case")]
 pub enum NoTriangles {
     /// There are no points.
     NoPoints,
@@ -184,6 +188,24 @@ impl Remark {
             Remark::NoTriangles(_) => "no-triangles",
             Remark::NothingInside { .. } => "nothing-inside",
         }
+    }
+
+    /// The numbers and names in the remark, by the names of its fields: `null` for a number that is not finite.
+    ///
+    /// ```
+    /// use sweep_cdt_formats::{NoTriangles, Remark};
+    /// use serde_json::json;
+    ///
+    /// let remark = Remark::OffTerrain { missing: 2, places: 9 };
+    /// assert_eq!(remark.numbers(), json!({"missing": 2, "places": 9}));
+    /// let remark = Remark::NoTriangles(NoTriangles::OneLine { up: Some(0) });
+    /// assert_eq!(remark.numbers(), json!({"why": "one-line", "up": 0}));
+    /// ```
+    ///
+    /// # Panics
+    /// Never: a remark is made of numbers, names, and lists of them.
+    pub fn numbers(&self) -> serde_json::Value {
+        serde_json::to_value(self).expect("numbers, names, and lists of them")
     }
 
     /// Whether something of the file gets lost, or is not as it was asked for. A strict run refuses that.
@@ -273,7 +295,8 @@ impl Remark {
                 heights,
                 outside: 0,
             } => {
-                format!("{heights} heights are interpolated")
+                let of = of(*heights, "height is", "heights are");
+                format!("{of} interpolated")
             }
             Remark::Interpolated { heights, outside } => format!(
                 "{heights} heights are interpolated, {outside} vertices lie outside of the hull of those with heights"

@@ -146,7 +146,7 @@ pub(crate) struct ReadingArgs {
 
     /// The columns of a .csv, .xyz or .txt that are x, y and perhaps z, by their names or their places from 1 on
     #[arg(long, value_name = "X,Y[,Z]", value_delimiter = ',')]
-    columns: Vec<String>,
+    pub(crate) columns: Vec<String>,
 
     /// A number that means that there is none, in heights and other columns of vertices: -9999, for example
     #[arg(long, value_name = "NUMBER", allow_negative_numbers = true)]

@@ -68,6 +68,10 @@ pub(crate) struct StreamCommand {
     #[arg(long)]
     check: bool,
 
+    /// The columns of a .csv, .xyz or .txt that are x, y and perhaps z, by their names or their places from 1 on
+    #[arg(long, value_name = "X,Y[,Z]", value_delimiter = ',')]
+    columns: Vec<String>,
+
     /// Refuse inputs that say more than points and edges: heights, for example
     #[arg(long)]
     strict: bool,
@@ -183,9 +187,9 @@ impl StreamCommand {
         refuse_read(&read, destination.iter().chain(&part).chain(&vertices))?;
         refuse_twice(destination.iter().chain(&part).chain(&vertices))?;
         let name = self.input.input_name();
-        let sorted = self
-            .sort
-            .sorted(&self.input, |remarks| read.say(&name, remarks))?;
+        let sorted = self.sort.sorted(&self.input, &self.columns, |remarks| {
+            read.say(&name, remarks)
+        })?;
         let summary = sorted.order.summary();
         if let Some(format) = format {
             format.holds(summary.points)?;

@@ -4,7 +4,9 @@ use std::path::{Path, PathBuf};
 
 use bytesize::ByteSize;
 use sweep_cdt_engine::Remark;
-use sweep_cdt_stream::external::{Error, FORMATS, Format, Input, Sorting, SweepOrder, open};
+use sweep_cdt_stream::external::{
+    Error, FORMATS, Format, Input, Sorting, SweepOrder, open_columns,
+};
 
 use crate::shared::failure::Failure;
 use crate::shared::files::{FileArgument, FilesRead, format_of_input, format_parser, size};
@@ -42,12 +44,14 @@ pub(super) struct Sorted {
     pub(super) first_edge: u64,
     path: PathBuf,
     format: Format,
+    columns: Vec<String>,
 }
 
 impl Sorted {
     /// The points once more, as the input has them.
     pub(super) fn points(&self) -> Result<Box<dyn Input>, Error> {
-        Ok(open(&self.path, self.format, None)?)
+        let opened = open_columns(&self.path, self.format, None, &self.columns);
+        Ok(opened?)
     }
 }
 
@@ -82,10 +86,11 @@ impl SortArgs {
         files
     }
 
-    /// The input, sorted. `say` gets what is left out of it before.
+    /// The input, of which these columns were chosen, sorted. `say` gets what is left out of it before.
     pub(super) fn sorted(
         &self,
         input: &FileArgument,
+        columns: &[String],
         say: impl FnOnce(&[Remark]) -> Result<(), Failure>,
     ) -> Result<Sorted, Failure> {
         let Some(path) = input.path() else {
@@ -95,7 +100,7 @@ impl SortArgs {
         };
         let format = format_of_input(input, "--stream-format", self.stream_format, FORMATS)?;
         let folder = self.temporary.clone().unwrap_or_else(std::env::temp_dir);
-        let mut opened = open(path, format, self.edges.as_deref())?;
+        let mut opened = open_columns(path, format, self.edges.as_deref(), columns)?;
         say(&opened.remarks())?;
         let order = self.order(&mut *opened, &folder);
         let [first_point, first_edge] = opened.first();
@@ -105,6 +110,7 @@ impl SortArgs {
             first_edge,
             path: path.to_owned(),
             format,
+            columns: columns.to_vec(),
         })
     }
 

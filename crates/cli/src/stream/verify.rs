@@ -45,7 +45,7 @@ impl From<Failure> for Ended {
 pub(crate) fn verify_stream(
     sort: &SortArgs,
     level: Level,
-    input: &FileArgument,
+    (input, columns): (&FileArgument, &[String]),
     result: &FileArgument,
 ) -> Result<(), Failure> {
     let Some(path) = result.path() else {
@@ -53,7 +53,7 @@ pub(crate) fn verify_stream(
         return Err(Failure::Usage(message.to_owned()));
     };
     let triangles = Triangles::open(path)?;
-    let Sorted { order, .. } = sort.sorted(input, |_| Ok(()))?;
+    let Sorted { order, .. } = sort.sorted(input, columns, |_| Ok(()))?;
     let (what, all) = (level.title(), triangles.left());
     let [input, result] = [input, result].map(FileArgument::input_name);
     match judged(sort, order, triangles, level) {

@@ -3,7 +3,7 @@
 
 use std::fs;
 
-use sweep_cdt_testing::Input;
+use sweep_cdt_testing::{Input, Random};
 use tempfile::TempDir;
 
 use crate::stream::{expected, ran, set, triangles, write_both, write_raw};
@@ -157,4 +157,28 @@ fn what_counts_first_needs_a_file() {
         let message = "a .ele or .ply begins with the number of triangles, which is known last: let OUTPUT be a file";
         crate::outputs::assert_refused(&folder, &format!("stream p.f64 -o {name}"), message);
     }
+}
+
+/// In the first piece of a table, and in those that follow.
+#[test]
+fn columns_of_a_table_are_chosen() {
+    let folder = folder(&[]);
+    let mut random = Random::new(5);
+    let row = |number: usize| {
+        let [x, y] = [0, 1].map(|_| random.integer(1 << 20));
+        format!("{number},{y},\"at {number}\",{x}\n")
+    };
+    let table: String = (1..20_000).map(row).collect();
+    fs::write(folder.path().join("p.csv"), table).expect("a file");
+    let made = ran(&folder, "stream p.csv --columns 4,2 -o t.u64");
+    assert_eq!(made.status.code(), Some(0), "{}", text(&made.stderr));
+    let bytes = fs::read(folder.path().join("t.u64")).expect("a file");
+    let expected = expected(&folder, "p.csv --columns 4,2");
+    assert_eq!(set(triangles(&bytes, "u64")), expected);
+    let verdict = ran(&folder, "verify --stream p.csv t.u64 --columns 4,2");
+    assert!(printed(&verdict).starts_with("correct: "));
+    let other = ran(&folder, "verify --stream p.csv t.u64 --columns 1,4");
+    assert_eq!(other.status.code(), Some(1));
+    let unknown = ran(&folder, "stream p.csv --columns 4,7");
+    assert_eq!(unknown.status.code(), Some(1));
 }

@@ -58,7 +58,7 @@ mod summary;
 mod temporary;
 
 pub use error::Error;
-pub use input::{FORMATS, Input, open};
+pub use input::{FORMATS, Input, open, open_columns};
 pub use order::{SweepOrder, Vertex};
 pub use prepare::Sorting;
 pub use summary::{Statistics, Summary};

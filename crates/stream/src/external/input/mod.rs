@@ -78,12 +78,26 @@ pub fn open(
     format: Format,
     edges: Option<&Path>,
 ) -> Result<Box<dyn Input>, ReadError> {
+    open_columns(path, format, edges, &[])
+}
+
+/// Opens a file as [`open`] does; of points as text these columns are x, y and perhaps z, by their names or their places
+/// from 1 on, as in [`Source::columns`](sweep_cdt_formats::Source::columns).
+///
+/// # Errors
+/// Those of [`open`]; or there is no such column.
+pub fn open_columns(
+    path: &Path,
+    format: Format,
+    edges: Option<&Path>,
+    columns: &[String],
+) -> Result<Box<dyn Input>, ReadError> {
     let input: Box<dyn Input> = match format {
         Format::F64 => Box::new(raw::Points::open(path)?),
         Format::Ply => Box::new(ply::Ply::open(path)?),
         Format::Node => Box::new(triangle::Triangle::open(path, false)?),
         Format::Poly => Box::new(triangle::Triangle::open(path, true)?),
-        Format::Csv | Format::Xyz | Format::Txt => Box::new(text::Text::open(path)?),
+        Format::Csv | Format::Xyz | Format::Txt => Box::new(text::Text::open(path, columns)?),
         #[cfg(feature = "las")]
         Format::Las | Format::Laz => Box::new(las::Cloud::open(path)?),
         _ => {

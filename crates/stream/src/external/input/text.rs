@@ -43,6 +43,8 @@ pub(super) struct Text {
 #[derive(Debug)]
 struct Begin {
     name: String,
+    /// The columns that were chosen.
+    columns: Vec<String>,
     text: Vec<u8>,
     lines: usize,
     /// How many points that is: none, if the row holds names.
@@ -50,7 +52,7 @@ struct Begin {
 }
 
 impl Text {
-    pub(super) fn open(path: &Path) -> Result<Text, ReadError> {
+    pub(super) fn open(path: &Path, columns: &[String]) -> Result<Text, ReadError> {
         let mut file = InputFile::open(path)?;
         let mut bytes = Vec::new();
         let mut length = loop {
@@ -64,6 +66,7 @@ impl Text {
         };
         let mut begin = Begin {
             name: file.name.clone(),
+            columns: columns.to_vec(),
             text: bytes[..length].to_vec(),
             lines: 0,
             points: 0,
@@ -185,6 +188,7 @@ impl Begin {
     /// A piece as a file, as if it followed the begin.
     fn file_with(&self, piece: &[u8]) -> Result<GraphFile<f64>, ReadError> {
         let source = Source::new(&self.name, [&self.text, piece].concat());
+        let source = source.columns(&self.columns);
         match read(Format::Csv, &source, None)? {
             Whole::Doubles(file) => Ok(file),
             Whole::Rationals(_) => Err(ReadError::of_file(
