@@ -54,9 +54,11 @@ def test_any_history_is_a_fresh_run(kind, steps):
             continue
         points = {v: p for v, p in {**points, **new}.items() if v not in gone}
         edges = {e: p for e, p in {**edges, **dict(enumerate(ends, next_edge))}.items() if e not in opened}
-        assert change.points.tolist() == list(new) and change.edges.tolist() == list(range(next_edge, next_edge + len(ends)))
+        assert change.points.tolist() == list(new)
+        assert change.edges.tolist() == list(range(next_edge, next_edge + len(ends)))
         next_point, next_edge = next_point + len(new), next_edge + len(ends)
-        assert state(dynamic) == [fresh(points, edges), sorted(points), sorted(edges), [list(edges[e]) for e in sorted(edges)]]
+        there = [sorted(points), sorted(edges), [list(edges[e]) for e in sorted(edges)]]
+        assert state(dynamic) == [fresh(points, edges), *there]
         if len(set(points.values())) == len(points):
             # No triangle has a corner with another name.
             changed = [t for t in map(tuple, triangles) if t not in set(map(tuple, dynamic.triangles.tolist()))]
@@ -100,7 +102,10 @@ def test_errors_name_what_is_in_the_way_and_change_nothing():
     assert room.remove([4], [4]).gone.tolist() == [[0, 1, 4], [0, 4, 3], [1, 2, 4], [2, 3, 4]]
 
 
-@given(st.lists(PLACE, max_size=9), st.lists(st.tuples(*[st.integers(-8, 40).map(lambda n: n / 8)] * 2), min_size=1, max_size=9))
+EIGHTHS = st.integers(-8, 40).map(lambda n: n / 8)
+
+
+@given(st.lists(PLACE, max_size=9), st.lists(st.tuples(EIGHTHS, EIGHTHS), min_size=1, max_size=9))
 def test_the_nearest_point_is_that_of_all_distances(points, places):
     result = sweep_cdt.triangulate(points)
     distance = lambda p, q: sum((Fraction(a) - Fraction(b)) ** 2 for a, b in zip(p, q))

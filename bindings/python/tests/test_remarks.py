@@ -94,7 +94,13 @@ SQUARE = [[0, 0], [4, 0], [4, 4], [0, 4]]
     [
         ([], {}, "no-triangles", "no triangles: there are no points", {"why": "no-points"}),
         ([[1, 1]] * 3, {}, "no-triangles", "no triangles: all points are one", {"why": "one-place"}),
-        ([[0, 0], [1, 1], [2, 2]], {}, "no-triangles", "no triangles: all points lie on one line", {"why": "one-line", "up": None}),
+        (
+            [[0, 0], [1, 1], [2, 2]],
+            {},
+            "no-triangles",
+            "no triangles: all points lie on one line",
+            {"why": "one-line", "up": None},
+        ),
         (
             SQUARE,
             {"edges": [[0, 2]] * 2, "inside": "even-odd"},
@@ -102,7 +108,13 @@ SQUARE = [[0, 0], [4, 0], [4, 4], [0, 4]]
             "2 edges enclose nothing",
             {"edges": 2, "has_holes": False},
         ),
-        (SQUARE, {"holes": [[2, 1]]}, "nothing-inside", "argument inside: hull-without-holes keeps all", {"edges": 0, "has_holes": True}),
+        (
+            SQUARE,
+            {"holes": [[2, 1]]},
+            "nothing-inside",
+            "argument inside: hull-without-holes keeps all",
+            {"edges": 0, "has_holes": True},
+        ),
         (
             [],
             {"polygons": [[SQUARE], [SQUARE]]},

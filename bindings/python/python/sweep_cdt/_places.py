@@ -71,8 +71,8 @@ def interpolate(self: Triangulation, values: Any, xi: Any, *, strict: bool = Fal
     ndarray of shape (...) or (..., k)
         In the units of the values. NaN where no triangle is inside, and where a value that counts is not there. Where a
         point lies is decided exactly; on a side the values of its two ends count, at a corner that of the corner
-        alone. A `RemarkWarning` counts the points that have no value there. Equal points are one corner, with the first value that one of them has; a `RemarkWarning` names the
-        first other one.
+        alone. A `RemarkWarning` counts the points without a value. Equal points are one corner, with the first value
+        that one of them has; a `RemarkWarning` names the first other one.
 
     Raises
     ------
