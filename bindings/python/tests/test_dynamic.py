@@ -38,7 +38,7 @@ def fresh(points, edges):
 def test_any_history_is_a_fresh_run(kind, steps):
     dynamic = sweep_cdt.DynamicTriangulation([[kind(0), kind(0)]])
     points, edges = {0: (0, 0)}, {}
-    next_point, next_edge, triangles = 1, 0, []
+    next_point, next_edge, triangles, is_distinct = 1, 0, [], True
     for places, gone, opened, pairs in steps:
         new = dict(enumerate(places, next_point))
         known = [*points, *new]
@@ -59,10 +59,12 @@ def test_any_history_is_a_fresh_run(kind, steps):
         next_point, next_edge = next_point + len(new), next_edge + len(ends)
         there = [sorted(points), sorted(edges), [list(edges[e]) for e in sorted(edges)]]
         assert state(dynamic) == [fresh(points, edges), *there]
-        if len(set(points.values())) == len(points):
-            # No triangle has a corner with another name.
-            changed = [t for t in map(tuple, triangles) if t not in set(map(tuple, dynamic.triangles.tolist()))]
-            assert set(changed) <= set(map(tuple, change.gone.tolist()))
+        is_distinct, was_distinct = len(set(points.values())) == len(points), is_distinct
+        if is_distinct and was_distinct:
+            # No corner has got another name.
+            lists = (triangles, change.gone, change.new, dynamic.triangles)
+            old, gone_ones, new_ones, now = ({tuple(map(int, t)) for t in some} for some in lists)
+            assert old - gone_ones | new_ones == now
         triangles = dynamic.triangles.tolist()
         assert dynamic.triangulation().canonical().tolist() == [
             [sorted(points).index(v) for v in corners] for corners in triangles
