@@ -45,6 +45,9 @@ type Changed<'py> = (
     Bound<'py, PyArray2<usize>>,
 );
 
+/// The numbers of edges, and their ends.
+type Numbered<'py> = (Bound<'py, PyArray1<usize>>, Bound<'py, PyArray2<usize>>);
+
 fn differ() -> PyErr {
     refused(
         "the points are doubles, and these are not: begin with an exact triangulation".to_owned(),
@@ -135,10 +138,7 @@ impl Dynamic {
     }
 
     /// The numbers of the edges that are there, and their ends.
-    fn edges<'py>(
-        &self,
-        py: Python<'py>,
-    ) -> PyResult<(Bound<'py, PyArray1<usize>>, Bound<'py, PyArray2<usize>>)> {
+    fn edges<'py>(&self, py: Python<'py>) -> PyResult<Numbered<'py>> {
         let (numbers, ends): (Vec<usize>, Vec<[usize; 2]>) =
             with_state!(&*self.lock(py), |state| state.edges().unzip());
         Ok((numbers.into_pyarray(py), table(py, ends)?))

@@ -54,7 +54,7 @@ mod _native {
     #[pymodule_export]
     use crate::refine::refine;
     #[pymodule_export]
-    use crate::remarks::{ignored, without_heights};
+    use crate::remarks::{ignored, off_terrain, without_heights};
     #[pymodule_export]
     use crate::rule::inside;
     #[pymodule_export]

@@ -2,7 +2,6 @@
 
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
 use sweep_cdt::interior::Interior;
 use sweep_cdt::{Pslg, Triangulation};
 use sweep_cdt_formats::{Column, Coordinate, GraphFile, Polygons, Remark};
@@ -13,6 +12,13 @@ use crate::input::Graph;
 #[pyfunction]
 pub(crate) fn ignored(count: usize, one: &str, many: &str) -> Remarks {
     let remark = (count > 0).then(|| Remark::ignored(count, one, many));
+    Remarks(remark.into_iter().collect())
+}
+
+/// The remark on places without a value, if there are any.
+#[pyfunction]
+pub(crate) fn off_terrain(missing: usize, places: usize) -> Remarks {
+    let remark = (missing > 0).then_some(Remark::OffTerrain { missing, places });
     Remarks(remark.into_iter().collect())
 }
 
@@ -27,8 +33,9 @@ impl<'py> IntoPyObject<'py> for Remarks {
 
     fn into_pyobject(self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let class = py.import("sweep_cdt._remarks")?.getattr("Remark")?;
+        let loads = py.import("json")?.getattr("loads")?;
         let made = self.0.into_iter().map(|remark| {
-            let numbers = numbers(py, &remark)?;
+            let numbers = loads.call1((remark.numbers().to_string(),))?;
             let mut words = remark.to_string();
             if let Some((argument, does)) = remark.setting() {
                 words = format!("{words} (argument {argument}: {does})");
@@ -38,35 +45,6 @@ impl<'py> IntoPyObject<'py> for Remarks {
         let made = made.collect::<PyResult<Vec<_>>>()?;
         made.into_pyobject(py)
     }
-}
-
-/// The numbers of the kinds that inputs from Python have.
-fn numbers<'py>(py: Python<'py>, remark: &Remark) -> PyResult<Bound<'py, PyDict>> {
-    let numbers = PyDict::new(py);
-    match remark {
-        Remark::Ignored { count, .. } => numbers.set_item("count", count)?,
-        Remark::Conflict {
-            column,
-            vertex,
-            values: [kept, other],
-            count,
-        } => {
-            numbers.set_item("column", column)?;
-            numbers.set_item("vertex", vertex)?;
-            numbers.set_item("values", (kept, other))?;
-            numbers.set_item("count", count)?;
-        }
-        Remark::WithoutHeights { missing, vertices } => {
-            numbers.set_item("missing", missing)?;
-            numbers.set_item("vertices", vertices)?;
-        }
-        Remark::CoveredTwice { triangles } => numbers.set_item("triangles", triangles)?,
-        Remark::TracedTwice { edges } | Remark::NothingInside { edges, .. } => {
-            numbers.set_item("edges", edges)?;
-        }
-        _ => {}
-    }
-    Ok(numbers)
 }
 
 /// The remarks of the engine on a triangulation and its interior, unless that is the hull.

@@ -127,7 +127,8 @@ fn cut_to<'py, S: Kind + Coordinate>(
     let clip = match (corners, domain) {
         (Some([left, low, right, high]), _) => {
             if left >= right || low >= high {
-                return Err(refused("the box has no area: give x and y of its lower left corner, and then of its upper right one".to_owned()));
+                let message = "the box has no area: x and y of its lower left corner come before the upper right one";
+                return Err(refused(message.to_owned()));
             }
             Some(Clip::Box([
                 [exactly(left)?, exactly(low)?],

@@ -15,8 +15,10 @@ README = pathlib.Path(__file__).resolve().parents[1] / "README.md"
 MODULES = [f"sweep_cdt.{module.name}" for module in pkgutil.iter_modules(sweep_cdt.__path__)]
 
 
-def test_readme():
-    for needed in ("geopandas", "matplotlib", "rasterio", "scipy", "shapely"):
+def test_readme(tmp_path, monkeypatch):
+    # The examples write files.
+    monkeypatch.chdir(tmp_path)
+    for needed in ("geopandas", "matplotlib", "meshio", "rasterio", "scipy", "shapely"):
         pytest.importorskip(needed)
     failed, tried = doctest.testfile(str(README), module_relative=False)
     assert failed == 0 and tried > 20

@@ -27,7 +27,7 @@ def test_a_conflict_is_a_warning_of_the_line_that_calls():
     assert warning.filename == __file__
     (remark,) = result.remarks
     assert warning.message.remark == remark and str(remark) == WORDS and remark.kind == "conflict" and remark.is_loss
-    assert remark.numbers == {"column": "z", "vertex": 0, "values": (1, 99), "count": 1}
+    assert remark.numbers == {"column": "z", "vertex": 0, "values": [1, 99], "count": 1}
     assert result.heights.tolist() == [1, 2, 3, 1]
     assert pickle.loads(pickle.dumps(result)).remarks == result.remarks
     with pytest.raises(sweep_cdt.RemarkError, match=WORDS) as refused:
@@ -50,6 +50,16 @@ def test_values_that_contradict_each_other():
     assert result.interpolate([np.nan, 2, 3, 99], [[0, 0]], strict=True).tolist() == [99]
 
 
+def test_values_outside_are_counted():
+    result = sweep_cdt.triangulate(CLOUD["vertices"][:3])
+    with pytest.warns(sweep_cdt.RemarkWarning, match="2 of 3 points have no height") as caught:
+        result.interpolate([1, 2, 3], [[9, 9], [1, 1], [-1, 0], [np.nan, 0]])
+    assert caught[0].message.remark.numbers == {"missing": 2, "places": 3}
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", sweep_cdt.RemarkWarning)
+        result.interpolate([1, 2, 3], [[1, 1], [np.nan, 0]])
+
+
 def test_geometries_and_crossings_that_contradict_each_other():
     shapely = pytest.importorskip("shapely")
     with pytest.warns(sweep_cdt.RemarkWarning, match="vertex 4 has two numbers for z, 4 and 5: 4 counts"):
@@ -59,7 +69,10 @@ def test_geometries_and_crossings_that_contradict_each_other():
         sweep_cdt.split(lines(shapely, 5), strict=True)
     assert sweep_cdt.split(lines(shapely, 4), strict=True).remarks == ()
     points = [shapely.Point(0, 0, 1), shapely.Point(1, 0, 2), shapely.Point(0, 0, 3)]
-    for call in (sweep_cdt.triangulate, sweep_cdt.crossings, sweep_cdt.trace, sweep_cdt.measure, sweep_cdt.split):
+    calls = [sweep_cdt.triangulate, sweep_cdt.crossings, sweep_cdt.trace, sweep_cdt.measure, sweep_cdt.split]
+    for call in [*calls, lambda points, **options: sweep_cdt.verify(points, [], **options)]:
+        with pytest.raises(sweep_cdt.RemarkError):
+            call(points, strict=True)
         with pytest.warns(sweep_cdt.RemarkWarning, match="vertex 0 has two numbers for z, 1 and 3: 1 counts"):
             call(points)
 
@@ -79,17 +92,29 @@ SQUARE = [[0, 0], [4, 0], [4, 4], [0, 4]]
 @pytest.mark.parametrize(
     ("given", "options", "kind", "words", "numbers"),
     [
-        ([], {}, "no-triangles", "no triangles: there are no points", {}),
-        ([[1, 1]] * 3, {}, "no-triangles", "no triangles: all points are one", {}),
-        ([[0, 0], [1, 1], [2, 2]], {}, "no-triangles", "no triangles: all points lie on one line", {}),
+        ([], {}, "no-triangles", "no triangles: there are no points", {"why": "no-points"}),
+        ([[1, 1]] * 3, {}, "no-triangles", "no triangles: all points are one", {"why": "one-place"}),
+        (
+            [[0, 0], [1, 1], [2, 2]],
+            {},
+            "no-triangles",
+            "no triangles: all points lie on one line",
+            {"why": "one-line", "up": None},
+        ),
         (
             SQUARE,
             {"edges": [[0, 2]] * 2, "inside": "even-odd"},
             "nothing-inside",
             "2 edges enclose nothing",
-            {"edges": 2},
+            {"edges": 2, "has_holes": False},
         ),
-        (SQUARE, {"holes": [[2, 1]]}, "nothing-inside", "argument inside: hull-without-holes keeps all", {"edges": 0}),
+        (
+            SQUARE,
+            {"holes": [[2, 1]]},
+            "nothing-inside",
+            "argument inside: hull-without-holes keeps all",
+            {"edges": 0, "has_holes": True},
+        ),
         (
             [],
             {"polygons": [[SQUARE], [SQUARE]]},

@@ -107,8 +107,9 @@ def to_meshio(self: Triangulation, z: Any = None) -> Any:
     if len(self.constrained_sides):
         cells.append(("line", self.constrained_sides))
         none = np.full(len(self.triangles), -1, dtype=np.int32)
-        data = {name: [*blocks, np.full(len(self.constrained_sides), -1, dtype=np.int32)] for name, blocks in data.items()}
         edges = _edges_of_sides(self)
+        for blocks in data.values():
+            blocks.append(np.full(len(edges), -1, dtype=np.int32))
         data["edge"] = [none, np.where(edges < 0, -1, self.edge_of[edges]).astype(np.int32)]
         if self.markers is not None:
             data["marker"] = [np.zeros_like(none), np.where(edges < 0, 0, self.markers[edges]).astype(np.int32)]

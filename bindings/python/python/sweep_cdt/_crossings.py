@@ -15,12 +15,12 @@ from ._input import Input, as_fractions, called
 from ._remarks import Remark, say, told
 
 
-def crossings(points: Any, edges: Any = None) -> Crossings:
+def crossings(points: Any, edges: Any = None, *, strict: bool = False) -> Crossings:
     """All pairs of edges that cross at a point that is none of the points.
 
     Parameters
     ----------
-    points, edges
+    points, edges, strict
         As of `triangulate`.
 
     Returns
@@ -37,7 +37,7 @@ def crossings(points: Any, edges: Any = None) -> Crossings:
     (Fraction(3, 2), Fraction(1, 2))
     """
     given = as_input(points, edges)
-    say(given.remarks)
+    say(given.remarks, strict)
     return _found(given)
 
 

@@ -56,7 +56,8 @@ def _markers(given: Any, count: int) -> np.ndarray:
     """A whole number for each edge."""
     rows = as_array(given, "segment_markers", columns=None)
     if rows.dtype.kind not in "iu" or rows.size != count:
-        raise ShapeError(f"segment_markers has the shape {rows.shape}: it is a whole number for each edge", shape=rows.shape)
+        message = f"segment_markers has the shape {rows.shape}: it is a whole number for each edge"
+        raise ShapeError(message, shape=rows.shape)
     return rows.reshape(count).astype(np.int64)
 
 

@@ -29,12 +29,13 @@ def measure(
     front: str = "hash",
     heuristics: str = "fast",
     algorithm: str = "auto",
+    strict: bool = False,
 ) -> Triangulation:
     """Triangulates as `triangulate` does, on one thread, and counts the work.
 
     Parameters
     ----------
-    points, edges
+    points, edges, strict
         As of `triangulate`.
     front : str, optional
         One of `fronts`: where the sweep looks for the place of a point.
@@ -60,4 +61,4 @@ def measure(
     skip-list 1982 999
     linear 1982 999
     """
-    return told(made(as_input(points, edges), None, False, None, (front, heuristics, algorithm)), False)
+    return told(made(as_input(points, edges), None, False, None, (front, heuristics, algorithm)), strict)

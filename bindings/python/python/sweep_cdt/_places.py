@@ -71,8 +71,8 @@ def interpolate(self: Triangulation, values: Any, xi: Any, *, strict: bool = Fal
     ndarray of shape (...) or (..., k)
         In the units of the values. NaN where no triangle is inside, and where a value that counts is not there. Where a
         point lies is decided exactly; on a side the values of its two ends count, at a corner that of the corner
-        alone. Equal points are one corner, with the first value that one of them has; a `RemarkWarning` names the
-        first other one.
+        alone. A `RemarkWarning` counts the points without a value. Equal points are one corner, with the first value
+        that one of them has; a `RemarkWarning` names the first other one.
 
     Raises
     ------
@@ -96,7 +96,8 @@ def interpolate(self: Triangulation, values: Any, xi: Any, *, strict: bool = Fal
         say(of_equal(self, column, "values")[1], strict)
     result = np.full((len(finite), columns.shape[1]), np.nan)
     found = self._core.interpolate(self._input, self.rule, columns, (points, queries))
-    result[finite] = found.reshape(len(queries), columns.shape[1])
+    result[finite] = found = found.reshape(len(queries), columns.shape[1])
+    say(_native.off_terrain(int(np.isnan(found).any(axis=1).sum()), len(found)))
     return result.reshape(shape + rest)
 
 

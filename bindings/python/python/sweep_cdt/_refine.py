@@ -88,12 +88,12 @@ def refine(
     >>> bool((mesh.edge_chain(1) == mesh.edges[mesh.edge_of == 1, 0].tolist() + [2]).all())
     True
     """
-    given, region = self._input.changed(heights=self.heights), ()
+    given, region = self._input.changed(heights=self.heights), np.empty(0)
     if region_areas is not None:
         region = _areas(self, as_values(region_areas, None, "region_areas"))
-    how = {
+    how: dict[str, Any] = {
         "bounds": as_bounds(min_angle, None if callable(max_area) else max_area, max_side),
-        "region_areas": list(region),
+        "region_areas": region.tolist(),
         "area_at": max_area if callable(max_area) else None,
         "most_points": None if max_points is None else as_count(max_points, "max_points"),
         "keep_boundary": bool(keep_boundary),

@@ -37,7 +37,7 @@ class Remark:
     is_loss : bool
         Whether something of the input gets lost: `strict` refuses that.
     numbers : dict
-        The numbers and names in the sentence.
+        The numbers and names in the sentence, as the command writes them.
     """
 
     kind: str

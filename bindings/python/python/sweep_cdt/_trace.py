@@ -13,12 +13,12 @@ from ._input import Input, called
 from ._remarks import say
 
 
-def trace(points: Any, edges: Any = None, *, heuristics: str = "fast") -> Trace:
+def trace(points: Any, edges: Any = None, *, heuristics: str = "fast", strict: bool = False) -> Trace:
     """Triangulates, and keeps every step of the sweep.
 
     Parameters
     ----------
-    points, edges
+    points, edges, strict
         As of `triangulate`.
     heuristics : {'fast', 'paper', 'off'}, optional
         As of `measure`.
@@ -39,7 +39,7 @@ def trace(points: Any, edges: Any = None, *, heuristics: str = "fast") -> Trace:
     triangle 0 P-1 P-2 (first)
     """
     given = as_input(points, edges)
-    say(given.remarks)
+    say(given.remarks, strict)
     return _traced(given, heuristics)
 
 

@@ -74,6 +74,7 @@ def verify(
     steiner: bool = False,
     limit: int = 1000,
     threads: int | None = None,
+    strict: bool = False,
 ) -> Report:
     """Proves by exact arithmetic that triangles are a constrained Delaunay triangulation, or says what is wrong.
 
@@ -90,7 +91,7 @@ def verify(
     simplices : array_like of int of shape (t, 3) or (3 t,), or a result, optional
         The corners of the triangles, from 0; or any of the results above, whose vertices are then matched with the
         points: exactly and in any order, or rounded to single precision or to as many significant digits as they have.
-    edges, polygons, holes : optional
+    edges, polygons, holes, strict : optional
         As of `triangulate`.
     domain : str, optional
         What the triangles must tile, as `inside` of `triangulate`. The default is that of a result of this package that
@@ -159,7 +160,7 @@ def verify(
     added_from = None
     if matched is None:
         given, result, matched, added_from = _matched(given, result, tolerance, by_number, steiner)
-    say(given.remarks)
+    say(given.remarks, strict)
     rule = given.rule(_rule_of_result(result, given, simplices is None) if domain is None else domain)
     question = Question(
         given,

@@ -121,11 +121,11 @@ class Voronoi:
         >>> [cell.bounds for cell in shops.cells(shapely.box(0, 0, 6, 4))]
         [(0.0, 0.0, 3.0, 4.0), (3.0, 0.0, 6.0, 4.0)]
         """
-        import shapely
-
         given = self._of._input
         found, remarks = called(_native.cells, given, self._of._core, self._within(within))
         say(remarks)
+        import shapely
+
         cells = np.full(len(self.points), shapely.Polygon(), dtype=object)
         for point, polygons in found:
             rings = [[as_doubles(ring) for ring in polygon] for polygon in polygons if len(polygon[0])]
