@@ -5,6 +5,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use num_rational::BigRational;
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
+use sweep_cdt::scalar::Scalar;
 use sweep_cdt_edit::{DynamicTriangulation, EditError, Edits};
 
 use crate::calls::call;
@@ -47,6 +48,9 @@ type Changed<'py> = (
 
 /// The numbers of edges, and their ends.
 type Numbered<'py> = (Bound<'py, PyArray1<usize>>, Bound<'py, PyArray2<usize>>);
+
+/// The numbers of points, and their weights.
+type Weighted<'py> = (Bound<'py, PyArray1<usize>>, Bound<'py, PyArray1<f64>>);
 
 fn differ() -> PyErr {
     refused(
@@ -168,6 +172,31 @@ impl Dynamic {
             _ => return Err(differ()),
         };
         Ok(found.into_pyarray(py))
+    }
+
+    /// The natural neighbours of one place, and the doubles nearest to their weights.
+    fn natural_neighbors<'py>(
+        &self,
+        py: Python<'py>,
+        places: Points<'_>,
+    ) -> PyResult<Weighted<'py>> {
+        fn split<S: Scalar>(found: Vec<(usize, S)>) -> (Vec<usize>, Vec<f64>) {
+            found
+                .iter()
+                .map(|(v, weight)| (*v, weight.approx()))
+                .unzip()
+        }
+        let found = match (&*self.lock(py), places.view()?) {
+            (State::Doubles(state), View::Doubles([place])) => {
+                state.natural_neighbors(place).map(split)
+            }
+            (State::Exact(state), View::Exact([place])) => {
+                state.natural_neighbors(place).map(split)
+            }
+            _ => return Err(differ()),
+        };
+        let (numbers, weights) = found.map_err(|error| Fault::from(error).raise(py))?;
+        Ok((numbers.into_pyarray(py), weights.into_pyarray(py)))
     }
 }
 

@@ -137,3 +137,22 @@ def test_threads_share_a_triangulation():
         thread.join()
     places = shared.places(shared.points)
     assert len(places) == 600 and shared.triangles.tolist() == sweep_cdt.triangulate(places).canonical().tolist()
+
+
+def test_natural_neighbours_weigh_planes_exactly():
+    rng = np.random.default_rng(3)
+    points = rng.integers(0, 50, (40, 2)).astype(float)
+    edited = sweep_cdt.DynamicTriangulation(points)
+    exact = sweep_cdt.DynamicTriangulation([[Fraction(int(x)), Fraction(int(y))] for x, y in points])
+    for place in points.mean(axis=0) + rng.uniform(-10, 10, (20, 2)):
+        numbers, weights = edited.natural_neighbors(place)
+        assert len(numbers) >= 3 and (weights > 0).all()
+        np.testing.assert_allclose(weights @ points[numbers], place, rtol=1e-13)
+        again, also = exact.natural_neighbors([Fraction(x) for x in place])
+        assert again.tolist() == numbers.tolist() and also.tolist() == weights.tolist()
+    assert edited.natural_neighbors([-1, 0])[0].tolist() == []
+    with pytest.raises(sweep_cdt.ShapeError):
+        edited.natural_neighbors([[1, 1]])
+    edited.insert(edges=[[0, 1]])
+    with pytest.raises(sweep_cdt.Error, match="there is edge 0"):
+        edited.natural_neighbors([1, 1])

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from . import _native
-from ._errors import KindError
+from ._errors import KindError, ShapeError
 from ._graph import as_input
 from ._input import Input, as_edges, as_fractions, as_points, called
 from ._places import as_queries
@@ -186,6 +186,41 @@ class DynamicTriangulation:
         found = np.full(len(finite), -1, dtype=np.intp)
         found[finite] = self._core.nearest(places)
         return found.reshape(shape)
+
+    def natural_neighbors(self, place: Any) -> tuple[np.ndarray, np.ndarray]:
+        """The natural neighbours of a place, each with its weight (Sibson 1981): the part that the Voronoi cell of the place
+        would take from its cell. For smooth interpolation: the sum of `weights * values[numbers]`.
+
+        Parameters
+        ----------
+        place : array_like of shape (2,)
+            The place.
+
+        Returns
+        -------
+        numbers : ndarray of int of shape (k,)
+            The numbers of the neighbours. None outside of the hull, and if there are no triangles.
+        weights : ndarray of float of shape (k,)
+            They add up to 1, but for rounding.
+
+        Raises
+        ------
+        Error
+            There is an edge: natural neighbours are those of points alone.
+
+        Examples
+        --------
+        >>> square = DynamicTriangulation([[0, 0], [4, 0], [4, 4], [0, 4]])
+        >>> square.natural_neighbors([2, 2])
+        (array([0, 1, 2, 3]), array([0.25, 0.25, 0.25, 0.25]))
+        """
+        _, places, finite, shape = as_queries(place, "place", Input(self._exactly(np.empty((0, 2)))))
+        if shape != ():
+            raise ShapeError(f"place has the shape {(*shape, 2)}, not (2,)", shape=(*shape, 2))
+        if not finite.all():
+            return np.empty(0, dtype=np.intp), np.empty(0)
+        numbers, weights = self._core.natural_neighbors(places)
+        return numbers.astype(np.intp), weights
 
     def triangulation(self) -> Triangulation:
         """The `Triangulation` of what is there: with pictures, and for other libraries. Its points are those of `points`,
