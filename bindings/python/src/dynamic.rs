@@ -58,6 +58,16 @@ fn differ() -> PyErr {
     )
 }
 
+/// Edits with points.
+fn with_points<S: Clone>(points: &[[S; 2]], rest: Edits<()>) -> Edits<S> {
+    Edits {
+        points: points.to_vec(),
+        edges: rest.edges,
+        remove_points: rest.remove_points,
+        remove_edges: rest.remove_edges,
+    }
+}
+
 #[pymethods]
 impl Dynamic {
     #[new]
@@ -83,25 +93,19 @@ impl Dynamic {
         let edges = rows(&edges)?.to_vec();
         let view = points.view()?;
         let size = view.len() + edges.len() + remove_points.len() + remove_edges.len();
+        let rest = Edits {
+            points: Vec::new(),
+            edges,
+            remove_points,
+            remove_edges,
+        };
         let change = match (&mut *self.lock(py), view) {
-            (State::Doubles(state), View::Doubles(points)) => call(py, size, 1, |_| {
-                let points = points.to_vec();
-                Ok(state.apply(Edits {
-                    points,
-                    edges,
-                    remove_points,
-                    remove_edges,
-                })?)
-            }),
-            (State::Exact(state), View::Exact(points)) => call(py, size, 1, |_| {
-                let points = points.to_vec();
-                Ok(state.apply(Edits {
-                    points,
-                    edges,
-                    remove_points,
-                    remove_edges,
-                })?)
-            }),
+            (State::Doubles(state), View::Doubles(points)) => {
+                call(py, size, 1, |_| Ok(state.apply(with_points(points, rest))?))
+            }
+            (State::Exact(state), View::Exact(points)) => {
+                call(py, size, 1, |_| Ok(state.apply(with_points(points, rest))?))
+            }
             _ => Err(differ()),
         }?;
         Ok((

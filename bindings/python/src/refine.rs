@@ -2,17 +2,16 @@
 
 use numpy::{IntoPyArray, PyArray1, PyArray2};
 use pyo3::prelude::*;
-use sweep_cdt::Pslg;
 use sweep_cdt::crossings::Exact;
 use sweep_cdt::interior::Interior;
 use sweep_cdt_edit::{Bounds, Broken, Refinement};
 use sweep_cdt_engine::{Inside, RefinedFile};
-use sweep_cdt_formats::{Column, Coordinate, GraphFile, Polygons};
+use sweep_cdt_formats::Coordinate;
 
 use crate::calls::{Watch, call};
 use crate::crossings::Kind;
 use crate::input::{Graph, Input, with_graph};
-use crate::remarks::Remarks;
+use crate::remarks::{Remarks, as_file};
 use crate::rule::named;
 use crate::triangulation::{Core, table};
 
@@ -101,7 +100,7 @@ fn refined<'py, S: Kind + Coordinate>(
     let (mesh, seeds) = call(py, usize::MAX, 1, |watch| {
         let asked = graph.asked();
         let inside = rule.interior(&asked, &core.result)?;
-        let file = file(graph, heights);
+        let file = as_file(graph, heights);
         let area_at = |[x, y]: [f64; 2]| {
             let area = how.area_at.as_ref();
             area.map_or(f64::INFINITY, |area| {
@@ -146,25 +145,6 @@ fn refined<'py, S: Kind + Coordinate>(
         left,
         remarks,
     ))
-}
-
-/// The input as the engine refines it.
-fn file<S: Coordinate>(graph: &Graph<'_, S>, heights: Option<&[f64]>) -> GraphFile<S> {
-    let heights = heights.map(|heights| Column::heights(heights.to_vec()));
-    GraphFile {
-        columns: heights.into_iter().collect(),
-        polygons: Polygons {
-            rings: graph.rings.clone(),
-            ring_of: graph.ring_of.clone(),
-            ..Polygons::default()
-        },
-        ..Pslg {
-            points: graph.points.to_vec(),
-            edges: graph.edges.to_vec(),
-            ..Pslg::default()
-        }
-        .into()
-    }
 }
 
 /// What a function of the user returns. An exception of it ends the work.

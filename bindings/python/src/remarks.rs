@@ -59,8 +59,18 @@ pub(crate) fn of_result<S: Coordinate>(
         // There is nothing to say, so that nothing is copied.
         return Vec::new();
     }
+    let mut file = as_file(graph, heights);
+    file.graph.holes = graph.holes.to_vec();
+    sweep_cdt_engine::remarks(&file, result, interior)
+}
+
+/// The input as a file of the engine, without seeds.
+pub(crate) fn as_file<S: Coordinate>(
+    graph: &Graph<'_, S>,
+    heights: Option<&[f64]>,
+) -> GraphFile<S> {
     let heights = heights.map(|heights| Column::heights(heights.to_vec()));
-    let file = GraphFile {
+    GraphFile {
         columns: heights.into_iter().collect(),
         polygons: Polygons {
             rings: graph.rings.clone(),
@@ -70,12 +80,10 @@ pub(crate) fn of_result<S: Coordinate>(
         ..Pslg {
             points: graph.points.to_vec(),
             edges: graph.edges.to_vec(),
-            holes: graph.holes.to_vec(),
             ..Pslg::default()
         }
         .into()
-    };
-    sweep_cdt_engine::remarks(&file, result, interior)
+    }
 }
 
 /// The remark on vertices without a height, if others have one.
