@@ -70,8 +70,21 @@ pub fn size<S: Exact>(bound: Broken, corners: [&[S; 2]; 3]) -> f64 {
     let at = 0..3;
     match bound {
         Broken::Angle => {
+            // Far from 1, products of lengths are no numbers, and differences of great numbers neither.
+            let is_great = corners.as_flattened().iter().any(|x| x.abs() > 1e300);
+            let scale = if is_great { 0.25 } else { 1.0 };
+            let unit = |from: usize, to: usize| {
+                let part = |i: usize| scale * corners[to % 3][i] - scale * corners[from % 3][i];
+                let [x, y] = [part(0), part(1)];
+                let most = f64::max(x.abs(), y.abs());
+                if most > 0.0 {
+                    [x / most, y / most]
+                } else {
+                    [0.0; 2]
+                }
+            };
             let angles = at.map(|k| {
-                let ([a, b], [c, d]) = (to(k, k + 1), to(k, k + 2));
+                let ([a, b], [c, d]) = (unit(k, k + 1), unit(k, k + 2));
                 cross([a, b], [c, d]).atan2(a * c + b * d).to_degrees()
             });
             angles.fold(f64::INFINITY, f64::min)

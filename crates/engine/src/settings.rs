@@ -82,7 +82,10 @@ impl UnknownName {
         known: impl IntoIterator<Item = &'a str>,
     ) -> UnknownName {
         let known = known.into_iter().collect::<Vec<_>>().join(", ");
-        UnknownName(format!("{what} {name:?} is not one of {known}"))
+        UnknownName(match known.is_empty() {
+            true => format!("there is no {what} {name:?}, nor any other {what}"),
+            false => format!("{what} {name:?} is not one of {known}"),
+        })
     }
 }
 

@@ -6,8 +6,8 @@ use num_rational::BigRational;
 use sweep_cdt::crossings::Exact;
 use sweep_cdt::interior::{FillRule, Interior};
 use sweep_cdt::{Pslg, Region, triangulate};
-use sweep_cdt_edit::{Bounds, Refinement, Voronoi};
-use sweep_cdt_engine::{Clip, Inside, RefinedFile, cells, region_areas, violators};
+use sweep_cdt_edit::{Bounds, Broken, Refinement, Voronoi};
+use sweep_cdt_engine::{Clip, Inside, RefinedFile, cells, region_areas, size, violators};
 use sweep_cdt_formats::{Cell, Column, GraphFile, Numbering, Remark};
 use sweep_cdt_generate::Random;
 
@@ -292,4 +292,16 @@ fn a_hull_that_rounding_bends_is_refined() {
     for ([x, y], height) in refined.file.graph.points.iter().zip(&heights.values) {
         assert!((height - (x - y)).abs() < 1e-12, "{x} {y} {height}");
     }
+}
+
+/// A right angle of two equal sides, at every scale that doubles have.
+#[test]
+fn angles_are_said_at_every_scale() {
+    for scale in [1e-310, 1e-200, 1.0, 1e200, 1.7e308] {
+        let corners = [[-scale, 0.0], [scale, 0.0], [0.0, scale]];
+        let angle = size(Broken::Angle, corners.each_ref());
+        assert!((angle - 45.0).abs() < 1e-9, "{scale}: {angle}");
+    }
+    let flat = [[0.0, 0.0], [1.0, 1.0], [1.0, 1.0]];
+    assert_eq!(size(Broken::Angle, flat.each_ref()), 0.0);
 }
