@@ -19,7 +19,7 @@ pub(crate) struct Bounded<'a, S> {
     limit: usize,
 }
 
-/// The same in a record.
+/// Bounds and the triangles that break them, in a record.
 #[derive(Serialize)]
 pub(crate) struct Record {
     min_angle: Option<f64>,

@@ -34,7 +34,7 @@ pub(crate) struct Refine {
 
     /// Greatest area of a triangle in a region, by the number of the region in the file
     ///
-    /// It counts in place of the area that the file has for the region. A region of a .geojson or .wkt is a feature with
+    /// This area counts in place of the area that the file has for the region. A region of a .geojson or .wkt is a feature with
     /// polygons, from 1. May be given several times.
     #[arg(long, value_name = "NUMBER=AREA", value_parser = region_area)]
     region_area: Vec<(usize, f64)>,

@@ -27,7 +27,7 @@ use sweep_cdt_terrain::Surface;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Missing {
-    /// This height.
+    /// Every vertex without a height gets this one.
     Value(f64),
     /// The height in the triangulation of the vertices that have heights, with the edges between them; outside of their
     /// hull there is none.

@@ -38,13 +38,13 @@ use crate::settings::UnknownName;
 pub struct RefinedFile<S> {
     /// The file with all vertices, and with the parts of its edges.
     pub file: GraphFile<S>,
-    /// Their triangulation.
+    /// The triangulation of the vertices and parts.
     pub result: Triangulation,
     /// The triangles inside, each from its lowest vertex, sorted.
     pub triangles: Vec<[usize; 3]>,
-    /// For each of them its region.
+    /// For each triangle inside its region.
     pub regions: Vec<Option<usize>>,
-    /// Those that break a bound still.
+    /// The triangles that break a bound still.
     pub left: Vec<Left>,
     /// How many heights of new vertices come from the triangles of the file.
     heights: usize,
@@ -121,7 +121,7 @@ impl<S: Coordinate> RefinedFile<S> {
         })
     }
 
-    /// What is to say: how many triangles break a bound still, for each reason, and where heights come from.
+    /// The remarks: how many triangles break a bound still, for each reason, and where heights come from.
     pub fn remarks(&self) -> Vec<Remark> {
         let mut counts = BTreeMap::new();
         for left in &self.left {

@@ -434,7 +434,7 @@ class Triangulation:
     interpolate = _places.interpolate
     nearest = _places.nearest
 
-    # What is made of it.
+    # Meshes and diagrams of the triangulation.
     refine = _refine.refine
     voronoi = _voronoi.voronoi
 

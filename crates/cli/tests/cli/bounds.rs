@@ -10,7 +10,7 @@ use crate::{folder, printed, text};
 
 /// A square of side 2 in two triangles, whose angles are 45 degrees and more, and whose longest side is the root of 8.
 const SQUARE: &str = r#"{"points": [[0,0],[2,0],[2,2],[0,2]], "triangles": [[0,1,2],[0,2,3]]}"#;
-/// Its corners alone.
+/// The corners of the square alone.
 const CORNERS: &str = r#"{"points": [[0,0],[2,0],[2,2],[0,2]]}"#;
 /// The double above the root of 8 is nearest to it.
 const BOUNDS: [(&str, &str); 3] = [

@@ -85,7 +85,7 @@ pub fn open(
 /// from 1 on, as in [`Source::columns`](sweep_cdt_formats::Source::columns).
 ///
 /// # Errors
-/// Those of [`open`]; or there is no such column.
+/// The errors of [`open`]; or there is no such column.
 pub fn open_columns(
     path: &Path,
     format: Format,

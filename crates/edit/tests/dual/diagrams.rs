@@ -8,27 +8,7 @@ use sweep_cdt::triangulate;
 use sweep_cdt_edit::{Voronoi, VoronoiError};
 use sweep_cdt_testing::Random;
 
-type Point = [BigRational; 2];
-
-fn whole(x: i64) -> BigRational {
-    BigRational::from_integer(x.into())
-}
-
-fn distance(p: &Point, q: &Point) -> BigRational {
-    let [x, y] = [0, 1].map(|k| &p[k] - &q[k]);
-    &x * &x + &y * &y
-}
-
-/// Twice the area of a polygon.
-fn area(corners: &[Point]) -> BigRational {
-    let after = corners.iter().cycle().skip(1);
-    let cross = |(p, q): (&Point, &Point)| &p[0] * &q[1] - &p[1] * &q[0];
-    corners.iter().zip(after).map(cross).sum()
-}
-
-fn below(random: &mut Random, n: usize) -> i64 {
-    random.below(n) as i64
-}
+use crate::{Place, area, below, distance, whole};
 
 /// Points of a kind: on a lattice, on a circle and in it, even ones, on one line.
 fn points(kind: usize, random: &mut Random) -> Vec<[i64; 2]> {
@@ -60,10 +40,10 @@ fn every_place_is_in_the_cell_of_the_nearest_point() {
     let mut random = Random::new(17);
     for case in 0..200 {
         let given = points(case % 4, &mut random);
-        let exact: Vec<Point> = given.iter().map(|point| point.map(whole)).collect();
+        let exact: Vec<Place> = given.iter().map(|point| point.map(whole)).collect();
         let result = triangulate(&exact, &[]).expect("points");
         let voronoi = Voronoi::new(&result, &exact).expect("no edges");
-        let nearest = |place: &Point| {
+        let nearest = |place: &Place| {
             exact
                 .iter()
                 .map(|p| distance(place, p))
@@ -83,7 +63,7 @@ fn every_place_is_in_the_cell_of_the_nearest_point() {
         }
         // A cell has each of its vertices once, counter-clockwise.
         for cell in &voronoi.cells {
-            let places: Vec<Point> = cell.iter().map(|&v| voronoi.vertices[v].clone()).collect();
+            let places: Vec<Place> = cell.iter().map(|&v| voronoi.vertices[v].clone()).collect();
             assert!(
                 (1..cell.len()).all(|i| !cell[..i].contains(&cell[i])),
                 "{given:?}"
@@ -135,7 +115,7 @@ fn doubles_are_fractions_rounded_once() {
             .iter()
             .map(|point| point.map(|x| x as f64 / 7.0))
             .collect();
-        let exact: Vec<Point> = doubles
+        let exact: Vec<Place> = doubles
             .iter()
             .map(|point| point.map(|x| x.to_fraction()))
             .collect();

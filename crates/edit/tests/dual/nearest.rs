@@ -6,15 +6,7 @@ use sweep_cdt::interior::FillRule;
 use sweep_cdt_edit::{DynamicTriangulation, Edits, Voronoi, VoronoiError};
 use sweep_cdt_testing::Random;
 
-type Place = [BigRational; 2];
-
-fn whole(x: i64) -> BigRational {
-    BigRational::from_integer(x.into())
-}
-
-fn below(random: &mut Random, n: usize) -> i64 {
-    random.below(n) as i64
-}
+use crate::{Place, area, below, distance, whole};
 
 /// Lattices, lines, even points, and points far from the origin, from one to sixty.
 fn points(kind: usize, random: &mut Random) -> Vec<[i64; 2]> {
@@ -87,18 +79,6 @@ fn nothing_is_nearest_to_what_is_no_place() {
     edited.insert([1.0, 1.0]).expect("a point");
     assert_eq!(edited.nearest(&[f64::NAN, 0.0]), None);
     assert_eq!(edited.nearest(&[f64::MAX, 0.0]), Some(0));
-}
-
-fn distance(p: &Place, q: &Place) -> BigRational {
-    let [x, y] = [0, 1].map(|k| &p[k] - &q[k]);
-    &x * &x + &y * &y
-}
-
-/// Twice the area of a polygon.
-fn area(corners: &[Place]) -> BigRational {
-    let after = corners.iter().cycle().skip(1);
-    let cross = |(p, q): (&Place, &Place)| &p[0] * &q[1] - &p[1] * &q[0];
-    corners.iter().zip(after).map(cross).sum()
 }
 
 /// Weights by another way: the cell of the place in a fresh diagram with it, cut with the old cell of each point.
