@@ -20,6 +20,7 @@ pub(crate) const HEURISTICS: Experiment = Experiment {
             } else {
                 &[100_000, 1_000_000]
             },
+            if quick { 1..=1 } else { 1..=3 },
         )
     },
     variants: |contestants| {
@@ -37,6 +38,13 @@ pub(crate) const HEURISTICS: Experiment = Experiment {
             about: "Sides swapped by the legalization.",
             measure: |row| Some(row.flips as f64 / row.points.max(1) as f64),
             shape: Shape::Map,
+        },
+        View {
+            name: "angles",
+            title: "Flips, a point, by the greatest angle of an obtuse corner that is closed",
+            about: "Of the greatest number of points.",
+            measure: |row| Some(row.flips as f64 / row.points.max(1) as f64),
+            shape: Shape::Angles,
         },
         View {
             name: "in-circle",
@@ -133,7 +141,7 @@ pub(crate) const SCALARS: Experiment = Experiment {
     about: "What does exact arithmetic in other scalars cost on the same integers?",
     cells: |quick| {
         let sizes: &[usize] = if quick { &[3000] } else { &[10_000, 100_000] };
-        cells(&["integers", "lattice", "asterisk"], sizes)
+        cells(&["integers", "lattice", "asterisk"], sizes, 1..=1)
     },
     variants: |_| {
         vec![
