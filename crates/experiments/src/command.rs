@@ -52,10 +52,9 @@ struct Options {
     /// How many seeds.
     #[arg(long, default_value_t = 1)]
     seeds: u64,
-    /// How often each variant is timed on each input: an odd number has a median, 0 only counts [default: 5, or
-    /// 3 with --quick].
-    #[arg(long)]
-    repetitions: Option<usize>,
+    /// How often each variant is timed on each input: an odd number has a median, 0 only counts.
+    #[arg(long, default_value_t = 3)]
+    repetitions: usize,
     /// Counts instructions, mispredicted branches and cache misses of one turn, too, by Valgrind's Cachegrind.
     #[arg(long)]
     cachegrind: bool,
@@ -130,12 +129,11 @@ pub(crate) fn run(command: Command, contestants: &[Contestant]) -> Result<()> {
         }
         variants.push(Variant::triangle(program));
     }
-    let default = if options.quick { 3 } else { 5 };
     let plan = Plan {
         experiment: *experiment,
         cells: chosen_cells(experiment, &options)?,
         variants,
-        repetitions: options.repetitions.unwrap_or(default),
+        repetitions: options.repetitions,
         cachegrind: options.cachegrind,
         commit: report::commit(),
     };

@@ -13,15 +13,11 @@ pub(crate) const HEURISTICS: Experiment = Experiment {
     name: "heuristics",
     about: "What do the heuristics of the point event buy: narrow corners, up to which angle, and basins?",
     cells: |quick| {
-        cells(
-            KINDS,
-            if quick {
-                &[10_000]
-            } else {
-                &[100_000, 1_000_000]
-            },
-            if quick { 1..=1 } else { 1..=3 },
-        )
+        if quick {
+            cells(KINDS, &[10_000], 1..=1)
+        } else {
+            cells(KINDS, &[100_000], 1..=5)
+        }
     },
     variants: |contestants| {
         let structure = default_structure(contestants);

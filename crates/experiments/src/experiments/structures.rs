@@ -61,13 +61,6 @@ const FRONTS_VIEWS: &[View] = &[
         shape: Shape::Map,
     },
     TIME,
-    View {
-        name: "least",
-        title: "Least time of the whole triangulation, nanoseconds a point",
-        about: "Of all turns, as it is disturbed least. Ratios as before.",
-        measure: Row::least_ns_per_point,
-        shape: Shape::Ratios,
-    },
 ];
 
 const FRONTS_KINDS: &[&str] = &[

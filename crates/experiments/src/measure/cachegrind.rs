@@ -41,7 +41,13 @@ impl Cell {
         row.mispredicted = of(&["Bcm", "Bim"]);
         row.first_misses = of(&["D1mr", "D1mw"]);
         row.second_misses = of(&["ILmr", "DLmr", "DLmw"]);
-        row.built = format!("{}; {}; {}", env!("COMPILER"), library(), env!("TARGET"));
+        row.built = [
+            env!("COMPILER"),
+            &library(),
+            env!("TARGET"),
+            &CACHES.join(" "),
+        ]
+        .join("; ");
         Ok(())
     }
 

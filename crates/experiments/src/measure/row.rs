@@ -177,12 +177,6 @@ impl Row {
         self.per_point(Turn::ms)
     }
 
-    /// Nanoseconds a point of the least turn.
-    pub(crate) fn least_ns_per_point(&self) -> Option<f64> {
-        let least = self.turns.iter().map(Turn::ms).min_by(f64::total_cmp)?;
-        Some(1e6 * least / self.points.max(1) as f64)
-    }
-
     /// Nanoseconds a point of initialization, sweeping and finalization (section 3.2) on the clock; medians.
     pub(crate) fn phases(&self) -> Option<[f64; 3]> {
         Some([

@@ -1,4 +1,5 @@
 //! The structures and the experiments.
 
+mod paper;
 mod program;
 mod structures;
