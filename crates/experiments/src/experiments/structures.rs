@@ -202,6 +202,7 @@ const ADVERSARIES_KINDS: &[&str] = &[
     "alternating",
     "above-a-row",
     "outliers",
+    "towers",
     "leftwards",
 ];
 

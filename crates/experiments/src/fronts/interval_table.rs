@@ -7,7 +7,7 @@
 //! node is still on it.
 //!
 //! Cost: a search finds its interval, and looks through the empty intervals around it, O(sqrt(n)) where there are so
-//! many. An update finds its interval. The sweep walks over the nodes between: one or two where each interval has a
+//! many. An update finds its interval if no search has. The sweep walks over the nodes between: one or two where each interval has a
 //! node, O(n) at worst.
 
 use std::fmt::Debug;
@@ -22,10 +22,9 @@ pub trait Intervals: Clone + Debug + Default + 'static {
     fn begin(&mut self, input: FrontInput<'_>, work: &mut Work) -> usize;
     /// The interval of this x among `count`.
     fn of(&self, x: f64, count: usize, work: &mut Work) -> usize;
-    /// The interval of a node that joins the front at this x.
-    fn join(&mut self, node: FrontNode, x: f64, count: usize, work: &mut Work) -> usize {
+    /// A node has joined the front.
+    fn joined(&mut self, node: FrontNode) {
         let _ = node;
-        self.of(x, count, work)
     }
 }
 
@@ -35,6 +34,8 @@ pub struct IntervalTable<I> {
     intervals: I,
     /// The node that joined last, by interval.
     table: Vec<Option<FrontNode>>,
+    /// The last search and its interval.
+    searched: (f64, usize),
     work: Work,
 }
 
@@ -44,11 +45,13 @@ impl<I: Intervals> FrontSearch for IntervalTable<I> {
         let count = self.intervals.begin(input, &mut self.work);
         self.table.clear();
         self.table.resize(count, None);
+        self.searched = (f64::NAN, 0);
         self.work.bytes += size_of_val(&self.table[..]) as u64;
     }
 
     fn locate(&mut self, x: f64, front: &Front) -> FrontNode {
         let at = self.intervals.of(x, self.table.len(), &mut self.work);
+        self.searched = (x, at);
         let around = (0..self.table.len()).flat_map(|i| [at.checked_sub(i), Some(at + i)]);
         for interval in around.flatten() {
             let Some(entry) = self.table.get_mut(interval) else {
@@ -66,8 +69,12 @@ impl<I: Intervals> FrontSearch for IntervalTable<I> {
     }
 
     fn inserted(&mut self, node: FrontNode, x: f64) {
-        let count = self.table.len();
-        let at = self.intervals.join(node, x, count, &mut self.work);
+        // A new vertex has just been located.
+        let at = match self.searched {
+            (searched, at) if searched == x => at,
+            _ => self.intervals.of(x, self.table.len(), &mut self.work),
+        };
+        self.intervals.joined(node);
         self.table[at] = Some(node);
         self.work.updates += 1;
     }

@@ -3,31 +3,35 @@
 //! T. Kraska and others, The case for learned index structures, SIGMOD 2018, doi:10.1145/3183713.3196909: the place
 //! of a key among sorted ones is a function that a model learns. P. Ferragina, G. Vinciguerra, The PGM-index, VLDB
 //! 2020, doi:10.14778/3389133.3389135: the model is made of lines that err by a given bound at most. Here the keys are
-//! the different x of all vertices, and the bound is the width of an interval.
+//! the different x of a sample, eight for each interval, and the bound is the width of an interval.
 //!
-//! The lines are laid from left to right. Each begins at a vertex, and goes on as long as one slope fits all vertices up
-//! to there: a cone of slopes that shrinks with every vertex. That may take more lines than the least number, which
-//! the PGM-index finds. It also has lines over lines; here the line of an x is found by halves, as there are few.
+//! The lines are laid from left to right. Each begins at a key, and goes on as long as one slope fits all keys up
+//! to there: a cone of slopes that shrinks with every key. That may take more lines than the least number, which the
+//! PGM-index finds. It also has lines over lines; here the line of an x is found by halves, as there are few.
 //!
 //! Why it is right: a guess is as good as any. Lines ascend, and one is taken up to the start of the next.
 //!
-//! Cost: O(log m) comparisons for m lines for a search, and for an update after no search; m is a handful where x
-//! spreads evenly, sqrt(n) at worst. The table costs as that of [`super::rank_table`]. The sort costs once, but no
-//! array of ranks is kept.
+//! Cost: O(log m) comparisons for m lines for a search; m is a handful where x spreads evenly, O(sqrt(n)) at worst.
+//! Else the cost is that of [`super::rank_table`], but a sample is sorted and no array of ranks is kept. Points made
+//! against the sample crowd in one interval, and then the sweep walks over O(n) nodes.
 
-use sweep_cdt::front::{FrontInput, Work};
+use sweep_cdt::front::{FrontInput, FrontNode, Work};
 
 use super::interval_table::{IntervalTable, Intervals};
+use super::parts::mixed;
 
 /// A table with 2 sqrt(n) intervals of about equally many x, as lines guess: O(log m) for m lines.
 pub type LearnedTable = IntervalTable<Lines>;
 
-/// The lines from x to ranks.
+/// Keys of the sample for each interval.
+const SAMPLE: usize = 8;
+
+/// The lines from x to ranks among the keys.
 #[derive(Clone, Debug, Default)]
 pub struct Lines {
     /// Ascending by the x where they begin.
     lines: Vec<Line>,
-    /// How many different x there are.
+    /// How many keys there are.
     ranks: usize,
 }
 
@@ -64,11 +68,14 @@ fn lines(xs: &[f64], bound: f64) -> Vec<Line> {
 
 impl Intervals for Lines {
     fn begin(&mut self, input: FrontInput<'_>, work: &mut Work) -> usize {
-        let xs = (0..input.len()).map(|v| input.x(v));
-        let mut xs: Vec<f64> = xs.filter(|x| x.is_finite()).collect();
+        let (n, count) = (input.len(), 2 * input.len().isqrt() + 1);
+        let drawn = |i| (mixed(FrontNode::from_rank(i), 0) % n as u64) as usize;
+        let few = n <= SAMPLE * count;
+        let sample = (0..n.min(SAMPLE * count)).map(|i| if few { i } else { drawn(i) });
+        let mut xs: Vec<f64> = sample.map(|v| input.x(v)).collect();
+        xs.retain(|x| x.is_finite());
         xs.sort_unstable_by(f64::total_cmp);
         xs.dedup();
-        let count = 2 * input.len().isqrt() + 1;
         self.lines = lines(&xs, xs.len() as f64 / count as f64);
         self.ranks = xs.len();
         work.bytes += size_of_val(&self.lines[..]) as u64;
@@ -105,7 +112,7 @@ mod tests {
     fn lines_err_by_the_bound_at_most() {
         let even: Vec<f64> = (0..1000).map(f64::from).collect();
         let squares: Vec<f64> = even.iter().map(|x| x * x).collect();
-        for (xs, count) in [(&even, 1), (&squares, 13)] {
+        for (xs, count) in [(&even, 1), (&squares, 9)] {
             let lines = lines(xs, 4.0);
             assert_eq!(lines.len(), count);
             for (rank, &x) in xs.iter().enumerate() {

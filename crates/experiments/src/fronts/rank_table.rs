@@ -19,12 +19,6 @@ pub type RankTable = IntervalTable<ByRank>;
 #[derive(Clone, Debug, Default)]
 pub struct ByRank(XRanks);
 
-impl ByRank {
-    fn of_rank(&self, rank: usize, count: usize) -> usize {
-        rank * count / self.0.len()
-    }
-}
-
 impl Intervals for ByRank {
     fn begin(&mut self, input: FrontInput<'_>, work: &mut Work) -> usize {
         self.0 = XRanks::new(input, work);
@@ -33,11 +27,10 @@ impl Intervals for ByRank {
 
     fn of(&self, x: f64, count: usize, work: &mut Work) -> usize {
         let rank = self.0.last_up_to(x, work);
-        self.of_rank(rank.unwrap_or(0), count)
+        rank.unwrap_or(0) * count / self.0.len()
     }
 
-    fn join(&mut self, node: FrontNode, _: f64, count: usize, _: &mut Work) -> usize {
-        let rank = self.0.join(node);
-        self.of_rank(rank, count)
+    fn joined(&mut self, node: FrontNode) {
+        self.0.join(node);
     }
 }

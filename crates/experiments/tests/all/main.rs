@@ -1,4 +1,5 @@
 //! The structures and the experiments.
 
+mod growth;
 mod program;
 mod structures;
