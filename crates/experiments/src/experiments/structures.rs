@@ -187,6 +187,7 @@ const ADVERSARIES_KINDS: &[&str] = &[
     "alternating",
     "above-a-row",
     "outliers",
+    "towers",
     "leftwards",
 ];
 
