@@ -37,8 +37,8 @@ struct Options {
     /// Kinds of data, instead of the experiment's.
     #[arg(long, value_delimiter = ',', requires = "sizes")]
     data: Vec<String>,
-    /// Sizes, instead of the experiment's, with the kinds of --data.
-    #[arg(long, value_delimiter = ',', requires = "data")]
+    /// Sizes of the kinds of --data; without it the experiment's cells of these sizes alone.
+    #[arg(long, value_delimiter = ',')]
     sizes: Vec<usize>,
     /// A `.poly` file besides, without edges that cross; may be repeated.
     #[arg(long)]
@@ -138,7 +138,7 @@ pub(crate) fn run(command: Command, contestants: &[Contestant]) -> Result<()> {
         commit: report::commit(),
     };
     if plan.cells.is_empty() {
-        return Err(format!("{name} needs --file: `crates/experiments/holdout` makes them").into());
+        return Err(format!("{name} has no such input; holdout needs --file").into());
     }
     if options.cells {
         for (number, cell) in plan.cells.iter().enumerate() {
@@ -225,7 +225,10 @@ fn compare(rows: &[Row], path: &Path) -> Result<()> {
 fn chosen_cells(experiment: &Experiment, options: &Options) -> Result<Vec<Cell>> {
     let mut chosen = own_cells(options)?;
     if options.data.is_empty() {
-        chosen.splice(0..0, (experiment.cells)(options.quick));
+        let is_chosen =
+            |cell: &Cell| options.sizes.is_empty() || options.sizes.contains(&cell.size);
+        let own = (experiment.cells)(options.quick).into_iter();
+        chosen.splice(0..0, own.filter(is_chosen));
     }
     Ok(chosen)
 }

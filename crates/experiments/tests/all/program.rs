@@ -220,6 +220,7 @@ fn what_cannot_be_done_is_said() {
         (&["fronts", "--file", "nothing.poly"], "nothing.poly"),
         (&["fronts", "--cell", "10000"], "there is no cell 10000"),
         (&["holdout"], "holdout needs --file"),
+        (&["fronts", "--sizes", "7"], "no such input"),
         (&["paper"], "fronts.csv: "),
     ] {
         let output = output(arguments, folder.path());
