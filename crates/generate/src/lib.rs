@@ -191,7 +191,7 @@ pub const KINDS: &[Kind] = &[
     },
     Kind {
         name: "towers",
-        about: "a row, and in two tall strips beside it points in turn, each far above all before it",
+        about: "a row between two tall strips, whose points come in turn",
         make: Make::Plane(points::towers),
     },
     Kind {

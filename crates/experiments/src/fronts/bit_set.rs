@@ -96,3 +96,14 @@ impl Numbers for Words {
 pub(super) fn highest(word: u64) -> usize {
     word.ilog2() as usize
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::number_set::compare;
+    use super::Words;
+
+    #[test]
+    fn the_greatest_member_up_to_a_number_is_found() {
+        compare::<Words>();
+    }
+}

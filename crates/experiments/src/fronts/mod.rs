@@ -19,6 +19,8 @@
 //! The crate's own are [`HashTable`](sweep_cdt::front::HashTable), [`SkipList`](sweep_cdt::front::SkipList)
 //! and [`Linear`](sweep_cdt::front::Linear), the walk from the last node.
 //!
+//! What each costs at worst says its file; `tests/all/growth.rs` has the data that reaches it, and measures.
+//!
 //! Why they are right: a structure only says where the sweep's exact walk begins (see
 //! [`FrontSearch`](sweep_cdt::front::FrontSearch)). Each is compared with a list in `tests/all/structures.rs`.
 

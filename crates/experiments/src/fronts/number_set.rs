@@ -88,3 +88,28 @@ impl<N: Numbers> Structure for NumberSet<N> {
         })
     }
 }
+
+/// Compares a set with the standard library's: numbers join and leave, near each other and anywhere, few and many.
+#[cfg(test)]
+pub(super) fn compare<N: Numbers>() {
+    for count in [1, 2, 64, 65, 5000, 100_000] {
+        let mut random = sweep_cdt_testing::Random::new(5);
+        let (mut set, mut members) = (N::new(count), std::collections::BTreeSet::new());
+        for step in 0..20_000 {
+            let near = if step % 3 == 0 { count } else { count.min(300) };
+            let number = random.below(near);
+            // More join at first, more leave later.
+            let joins = random.below(20_000) > step;
+            if joins && members.insert(number) {
+                set.insert(number);
+            } else if !joins && members.remove(&number) {
+                set.remove(number);
+            }
+            for number in [number, random.below(near), random.below(count)] {
+                let found = set.last_up_to(number);
+                let expected = members.range(..=number).next_back();
+                assert_eq!(found.as_ref(), expected, "up to {number} of {count}");
+            }
+        }
+    }
+}

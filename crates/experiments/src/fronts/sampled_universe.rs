@@ -184,3 +184,14 @@ impl Numbers for Universe {
         self.work
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::number_set::compare;
+    use super::Universe;
+
+    #[test]
+    fn the_greatest_member_up_to_a_number_is_found() {
+        compare::<Universe>();
+    }
+}

@@ -8,7 +8,8 @@
 //! Why it is right: an interval to the left holds smaller x only.
 //!
 //! Cost: O(1) expected for a search where x spreads evenly and there are about as many intervals as nodes
-//! on the front; O(n) where all nodes crowd in one interval, or nearly all intervals are empty.
+//! on the front; O(n) where all nodes crowd in one interval, or nearly all intervals are empty. A node that leaves is
+//! looked for in its interval, O(n) where all crowd in one. The sweep takes no step.
 
 use sweep_cdt::front::{Front, FrontInput, FrontNode, FrontSearch, Work};
 

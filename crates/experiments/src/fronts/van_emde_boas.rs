@@ -219,3 +219,14 @@ impl Numbers for Tree {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::number_set::compare;
+    use super::Tree;
+
+    #[test]
+    fn the_greatest_member_up_to_a_number_is_found() {
+        compare::<Tree>();
+    }
+}

@@ -24,7 +24,7 @@ const NONE: Growth = AtMost(0.0);
 
 /// A structure and the kind of data that is worst for it: how the structure's own work grows, what it moves, and the
 /// steps of the sweep, all a search.
-const WORST: [(&str, &str, [Growth; 3]); 23] = [
+const WORST: [(&str, &str, [Growth; 3]); 24] = [
     (
         "hash table (default)",
         "towers",
@@ -44,7 +44,11 @@ const WORST: [(&str, &str, [Growth; 3]); 23] = [
         [AtMost(2.0), NONE, Linear],
     ),
     ("bit set over ranks", "above-a-row", [Log, NONE, NONE]),
-    ("van Emde Boas tree", "above-a-row", [Log, NONE, NONE]),
+    (
+        "van Emde Boas tree",
+        "above-a-row",
+        [AtMost(9.0), NONE, NONE],
+    ),
     ("sampled universe", "towers", [AtMost(5.0), Root, NONE]),
     ("skip list", "above-a-row", [Log, AtMost(3.0), NONE]),
     ("treap", "above-a-row", [Log, AtMost(7.0), NONE]),
@@ -57,6 +61,7 @@ const WORST: [(&str, &str, [Growth; 3]); 23] = [
     ("sorted array", "leftwards", [Log, Linear, NONE]),
     ("finger", "alternating", [Log, Linear, NONE]),
     ("two fingers", "above-a-row", [Log, Linear, NONE]),
+    ("two fingers", "towers", [AtMost(10.0), Linear, NONE]),
     (
         "walk from the last node",
         "alternating",
