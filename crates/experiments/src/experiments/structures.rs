@@ -1,6 +1,8 @@
 //! The experiments that compare search structures: on every kind of data, as the number of points grows, and
 //! on the data that defeats them.
 
+use sweep_cdt::{Algorithm, Heuristics};
+
 use super::{Experiment, TIME, cells, no_remarks};
 use crate::contestant::{Contestant, standard};
 use crate::measure::{Row, Variant};
@@ -145,7 +147,14 @@ pub(crate) const ADVERSARIES: Experiment = Experiment {
         };
         cells(ADVERSARIES_KINDS, sizes, 1..=1)
     },
-    variants: |contestants| contestants.iter().map(Variant::structure).collect(),
+    // The sweep to its end: it would be abandoned where walks are long.
+    variants: |contestants| {
+        let to_the_end = |contestant: &Contestant| {
+            let (algorithm, heuristics) = (Algorithm::Sweep, Heuristics::default());
+            Variant::sweep(contestant.name(), contestant, algorithm, heuristics)
+        };
+        contestants.iter().map(to_the_end).collect()
+    },
     views: &[
         View {
             name: "walk-growth",

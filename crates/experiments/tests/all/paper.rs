@@ -24,7 +24,7 @@ fn prose(text: &str) -> String {
         };
         let skip = match after.as_bytes()[0] {
             b'#' => {
-                let is_declared = ["let", "set", "show", "include"].contains(&word);
+                let is_declared = ["let", "set", "show", "include", "import"].contains(&word);
                 assert!(
                     !["if", "for", "while"].contains(&word),
                     "write a function: #{word}"
