@@ -206,7 +206,12 @@ def wrappings(shapely, features):
     array = series.to_numpy()
     yield from (series, series.values, array, series.tolist(), tuple(features), iter(features), (g for g in features))
     yield from (pandas.Series(array), pandas.DataFrame({"geometry": array}), geopandas.GeoDataFrame(geometry=series))
-    yield from (Own(geometry=series).rename_geometry("shape"), series.__geo_interface__, [series, geopandas.GeoSeries([])], np.array([array]))
+    yield from (
+        Own(geometry=series).rename_geometry("shape"),
+        series.__geo_interface__,
+        [series, geopandas.GeoSeries([])],
+        np.array([array]),
+    )
     yield [None if g is None else g.__geo_interface__ for g in features]
     yield [None if g is None else Document(g) for g in features]
     if all(features):

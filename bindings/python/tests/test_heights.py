@@ -88,11 +88,15 @@ def test_a_document_of_its_time_has_a_coordinate_system():
 
 
 NAMES = st.sampled_from(["z", "elev", "ELEV_M", "height", "contour", "girth", "name"])
-PROPERTIES = st.dictionaries(NAMES, st.one_of(st.none(), st.integers(-9, 9), st.just("7"), st.just("oak"), st.booleans()))
+PROPERTIES = st.dictionaries(
+    NAMES, st.one_of(st.none(), st.integers(-9, 9), st.just("7"), st.just("oak"), st.booleans())
+)
 
 
 @shared
-@given(kinds=parts(), properties=st.lists(PROPERTIES, min_size=4, max_size=4), with_z=st.lists(st.booleans(), min_size=4))
+@given(
+    kinds=parts(), properties=st.lists(PROPERTIES, min_size=4, max_size=4), with_z=st.lists(st.booleans(), min_size=4)
+)
 def test_a_property_is_the_height_as_for_the_command(command, tmp_path, kinds, properties, with_z):
     shapely = pytest.importorskip("shapely")
     # GeoJSON has no rings by themselves.
@@ -113,7 +117,9 @@ def test_a_property_is_the_height_as_for_the_command(command, tmp_path, kinds, p
         result = sweep_cdt.triangulate(form)
         heights = np.full(len(result.points), np.nan) if result.heights is None else result.heights
         known = [None if np.isnan(height) else height for height in heights]
-        assert dict(zip(map(tuple, result.points.tolist()), known)) == {(*place[:2],): place[2] if len(place) > 2 else None for place in theirs}
+        assert dict(zip(map(tuple, result.points.tolist()), known)) == {
+            (*place[:2],): place[2] if len(place) > 2 else None for place in theirs
+        }
         for remark in result.remarks:
             assert remark.kind != "height-property" or str(remark) in ran.stderr
 

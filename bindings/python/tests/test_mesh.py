@@ -210,7 +210,9 @@ def test_the_marker_of_a_side_is_that_of_the_first_edge_with_one():
     result = sweep_cdt.triangulate({"vertices": points, "segments": segments, "segment_markers": markers})
     wanted = {(0, 1): (0, 5), (1, 2): (0, 0), (2, 3): (3, 7)}
     mesh = result.to_meshio()
-    rows = zip(mesh.cells_dict["line"].tolist(), mesh.cell_data_dict["edge"]["line"], mesh.cell_data_dict["marker"]["line"])
+    rows = zip(
+        mesh.cells_dict["line"].tolist(), mesh.cell_data_dict["edge"]["line"], mesh.cell_data_dict["marker"]["line"]
+    )
     assert {(*sorted(side),): (edge, marker) for side, edge, marker in rows} == wanted
     written = result.to_triangle()
     rows = zip(written["segments"].tolist(), written["segment_markers"].ravel().tolist())

@@ -88,9 +88,7 @@ class DynamicTriangulation:
     def __len__(self) -> int:
         return len(self.triangles)
 
-    def edit(
-        self, *, points: Any = (), edges: Any = None, remove_points: Any = (), remove_edges: Any = ()
-    ) -> Change:
+    def edit(self, *, points: Any = (), edges: Any = None, remove_points: Any = (), remove_edges: Any = ()) -> Change:
         """Makes all edits at once, or none. What is removed goes first.
 
         Parameters

@@ -187,8 +187,8 @@ class Triangulation:
     heights : ndarray of float of shape (n,), or None
         The z of geometries, in their units; where points and lines have none, the column or property of their feature
         that is called z, elevation or so; such a column of a frame; the first of the ``vertex_attributes`` of a
-        dictionary. For each point, NaN where it has none; `None`, if no point has one. Equal points have the first that one of them has; where edges
-        were split, the height is that along the first edge.
+        dictionary. For each point, NaN where it has none; `None`, if no point has one. Equal points have the first that
+        one of them has; where edges were split, the height is that along the first edge.
     crs : object or None
         The coordinate system of a GeoDataFrame or GeoSeries.
     simplices : ndarray of int32 of shape (t, 3)

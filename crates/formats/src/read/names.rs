@@ -55,8 +55,16 @@ pub(super) fn rank(known: &[&str], name: &str) -> Option<(usize, bool)> {
     }
 }
 
-/// The columns of x and y by their names, and those with the best name of a height; nothing, if none are x and y.
-pub(super) fn places(names: &[String]) -> Result<Option<([usize; 2], Vec<usize>)>, String> {
+/// Columns that are known by their names.
+pub(super) struct Places {
+    pub(super) x: usize,
+    pub(super) y: usize,
+    /// The columns with the best name of a height.
+    pub(super) heights: Vec<usize>,
+}
+
+/// The columns by their names; nothing, if none are x and y.
+pub(super) fn places(names: &[String]) -> Result<Option<Places>, String> {
     // The columns with the best of these names.
     let places = |known: &[&str]| {
         let ranks = names.iter().map(|name| rank(known, name));
@@ -69,8 +77,11 @@ pub(super) fn places(names: &[String]) -> Result<Option<([usize; 2], Vec<usize>)
     let Some([x, y]) = pairs.find(|pair| pair.iter().all(|places| !places.is_empty())) else {
         return Ok(None);
     };
-    let pair = [only(&x, "x", names)?, only(&y, "y", names)?];
-    Ok(Some((pair, places(&HEIGHTS))))
+    Ok(Some(Places {
+        x: only(&x, "x", names)?,
+        y: only(&y, "y", names)?,
+        heights: places(&HEIGHTS),
+    }))
 }
 
 /// The columns of x, y and perhaps the height by their names, as in the first row of a table; nothing, if none are x and y.
@@ -86,10 +97,10 @@ pub(super) fn places(names: &[String]) -> Result<Option<([usize; 2], Vec<usize>)
 /// # Errors
 /// Two columns may both be one of them. The text names them.
 pub fn named_columns(names: &[String]) -> Result<Option<Vec<usize>>, String> {
-    let Some((pair, heights)) = places(names)? else {
+    let Some(Places { x, y, heights }) = places(names)? else {
         return Ok(None);
     };
-    let mut found = pair.to_vec();
+    let mut found = vec![x, y];
     if !heights.is_empty() {
         found.push(only(&heights, "the height", names)?);
     }

@@ -25,7 +25,7 @@ mod rows;
 use std::collections::HashMap;
 
 use crate::read::content::{Edges, Field, Syntax, Vertices};
-use crate::read::names::{only, places};
+use crate::read::names::{Places, only, places};
 use crate::read::remarks::Remarks;
 use crate::read::source::{ReadError, ReadErrorKind, Source, quoted};
 use crate::read::text::rows::{Rows, Separator, text};
@@ -138,7 +138,7 @@ impl Header {
     fn of(fields: &[&[u8]]) -> Result<Option<Header>, String> {
         let names: Vec<String> = fields.iter().map(|name| text(name)).collect();
         let found = places(&names)?;
-        Ok(found.map(|([x, y], heights)| Header {
+        Ok(found.map(|Places { x, y, heights }| Header {
             names,
             x,
             y,
