@@ -73,8 +73,11 @@ def test_the_command_reads_the_same(command, tmp_path, table):
     read, _ = read_by(command, tmp_path)
     result = sweep_cdt.triangulate(frame)
     assert [p[:2] for p in read["points"]] == result.points.tolist()
-    if result.heights is not None and len(result.triangles):
-        assert [p[2] for p in read["points"]] == result.heights.tolist()
+    if result.heights is not None:
+        # The command writes what the table says of points that equal others, too, though it does not count.
+        equal = set(result.duplicates[:, 0].tolist())
+        heights = enumerate(zip(read["points"], result.heights))
+        assert all(v in equal or place[2] == height for v, (place, height) in heights)
 
 
 @shared
