@@ -7,6 +7,18 @@ use sweep_cdt_formats::Column;
 use crate::errors::refused;
 use crate::remarks::Remarks;
 
+/// The columns of x, y and perhaps the height by their names; nothing, if none are x and y.
+#[pyfunction]
+pub(crate) fn named_columns(names: Vec<String>) -> PyResult<Option<Vec<usize>>> {
+    sweep_cdt_formats::named_columns(&names).map_err(refused)
+}
+
+/// The column with the best of the names of a height.
+#[pyfunction]
+pub(crate) fn named_height(names: Vec<String>) -> Option<usize> {
+    sweep_cdt_formats::named_height(&names)
+}
+
 /// The number of each of so many vertices in a column: the first that one of its places has. `vertices` has the vertex of
 /// each place.
 #[pyfunction]

@@ -41,6 +41,9 @@ pub(crate) trait Kind: Exact + Sync + Send {
     fn ends(crossing: Crossing<Self>) -> Ends;
 
     fn hand(py: Python<'_>, points: Vec<[Self; 2]>) -> PyResult<Bound<'_, PyAny>>;
+
+    /// Numbers as an array of doubles, or as a list of numerators with denominators.
+    fn hand_numbers(py: Python<'_>, numbers: Vec<Self>) -> PyResult<Bound<'_, PyAny>>;
 }
 
 impl Kind for f64 {
@@ -51,6 +54,10 @@ impl Kind for f64 {
     fn hand(py: Python<'_>, points: Vec<[f64; 2]>) -> PyResult<Bound<'_, PyAny>> {
         Ok(table(py, points)?.into_any())
     }
+
+    fn hand_numbers(py: Python<'_>, numbers: Vec<f64>) -> PyResult<Bound<'_, PyAny>> {
+        Ok(numbers.into_pyarray(py).into_any())
+    }
 }
 
 impl Kind for BigRational {
@@ -60,6 +67,11 @@ impl Kind for BigRational {
 
     fn hand(py: Python<'_>, points: Vec<[BigRational; 2]>) -> PyResult<Bound<'_, PyAny>> {
         Ok(Bound::new(py, ExactPoints { points })?.into_any())
+    }
+
+    fn hand_numbers(py: Python<'_>, numbers: Vec<BigRational>) -> PyResult<Bound<'_, PyAny>> {
+        let numbers: Vec<(BigInt, BigInt)> = numbers.into_iter().map(BigRational::into).collect();
+        numbers.into_pyobject(py)
     }
 }
 

@@ -5,7 +5,6 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use num_rational::BigRational;
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
-use sweep_cdt::scalar::Scalar;
 use sweep_cdt_edit::{DynamicTriangulation, EditError, Edits};
 
 use crate::calls::call;
@@ -50,7 +49,7 @@ type Changed<'py> = (
 type Numbered<'py> = (Bound<'py, PyArray1<usize>>, Bound<'py, PyArray2<usize>>);
 
 /// The numbers of points, and their weights.
-type Weighted<'py> = (Bound<'py, PyArray1<usize>>, Bound<'py, PyArray1<f64>>);
+type Weighted<'py> = (Bound<'py, PyArray1<usize>>, Bound<'py, PyAny>);
 
 fn differ() -> PyErr {
     refused(
@@ -178,29 +177,27 @@ impl Dynamic {
         Ok(found.into_pyarray(py))
     }
 
-    /// The natural neighbours of one place, and the doubles nearest to their weights.
+    /// The natural neighbours of one place, and their weights: exact ones, or the doubles nearest to them.
     fn natural_neighbors<'py>(
         &self,
         py: Python<'py>,
         places: Points<'_>,
     ) -> PyResult<Weighted<'py>> {
-        fn split<S: Scalar>(found: Vec<(usize, S)>) -> (Vec<usize>, Vec<f64>) {
-            found
-                .iter()
-                .map(|(v, weight)| (*v, weight.approx()))
-                .unzip()
+        fn weighted<'py, S: Kind>(
+            py: Python<'py>,
+            state: &DynamicTriangulation<S>,
+            place: &[S; 2],
+        ) -> PyResult<Weighted<'py>> {
+            let found = state.natural_neighbors(place);
+            let found = found.map_err(|error| Fault::from(error).raise(py))?;
+            let (numbers, weights): (Vec<usize>, Vec<S>) = found.into_iter().unzip();
+            Ok((numbers.into_pyarray(py), S::hand_numbers(py, weights)?))
         }
-        let found = match (&*self.lock(py), places.view()?) {
-            (State::Doubles(state), View::Doubles([place])) => {
-                state.natural_neighbors(place).map(split)
-            }
-            (State::Exact(state), View::Exact([place])) => {
-                state.natural_neighbors(place).map(split)
-            }
-            _ => return Err(differ()),
-        };
-        let (numbers, weights) = found.map_err(|error| Fault::from(error).raise(py))?;
-        Ok((numbers.into_pyarray(py), weights.into_pyarray(py)))
+        match (&*self.lock(py), places.view()?) {
+            (State::Doubles(state), View::Doubles([place])) => weighted(py, state, place),
+            (State::Exact(state), View::Exact([place])) => weighted(py, state, place),
+            _ => Err(differ()),
+        }
     }
 }
 

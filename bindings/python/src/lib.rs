@@ -38,7 +38,7 @@ mod _native {
     #[allow(non_upper_case_globals, reason = "Python's name")]
     const __version__: &str = env!("CARGO_PKG_VERSION");
     #[pymodule_export]
-    use crate::columns::gathered;
+    use crate::columns::{gathered, named_columns, named_height};
     #[pymodule_export]
     use crate::crossings::{Crossings, crossings, split};
     #[pymodule_export]
@@ -54,7 +54,9 @@ mod _native {
     #[pymodule_export]
     use crate::refine::refine;
     #[pymodule_export]
-    use crate::remarks::{ignored, off_terrain, without_heights};
+    use crate::remarks::{
+        half_of_the_globe, height_property, ignored, off_terrain, without_heights,
+    };
     #[pymodule_export]
     use crate::rule::inside;
     #[pymodule_export]

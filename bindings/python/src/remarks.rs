@@ -1,12 +1,12 @@
 //! Remarks on an input or a result, as objects of `sweep_cdt._remarks`: the sentence of the engine, and its numbers.
 
-use numpy::PyReadonlyArray1;
+use numpy::{PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 use sweep_cdt::interior::Interior;
 use sweep_cdt::{Pslg, Triangulation};
 use sweep_cdt_formats::{Column, Coordinate, GraphFile, Polygons, Remark};
 
-use crate::input::Graph;
+use crate::input::{Graph, rows};
 
 /// The remark on so many things that are ignored, if there are any, with the name of one and of many.
 #[pyfunction]
@@ -20,6 +20,23 @@ pub(crate) fn ignored(count: usize, one: &str, many: &str) -> Remarks {
 pub(crate) fn off_terrain(missing: usize, places: usize) -> Remarks {
     let remark = (missing > 0).then_some(Remark::OffTerrain { missing, places });
     Remarks(remark.into_iter().collect())
+}
+
+/// The remark on edges that span more than half of all longitudes, if there are any; the edges end at points.
+#[pyfunction]
+pub(crate) fn half_of_the_globe(
+    points: PyReadonlyArray2<'_, f64>,
+    edges: PyReadonlyArray2<'_, usize>,
+) -> PyResult<Remarks> {
+    let sides = rows(&edges)?.iter().copied();
+    let remark = Remark::half_of_the_globe(rows(&points)?, sides);
+    Ok(Remarks(remark.into_iter().collect()))
+}
+
+/// The remark on features whose height is a property or column of this name.
+#[pyfunction]
+pub(crate) fn height_property(name: String, count: usize) -> Remarks {
+    Remarks(vec![Remark::HeightProperty { name, count }])
 }
 
 /// Remarks as Python has them.

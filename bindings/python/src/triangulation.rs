@@ -1,13 +1,13 @@
 //! The triangulation, and its parts as arrays, which NumPy takes over without a copy.
 
-use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2};
+use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 use sweep_cdt::crossings::Exact;
 use sweep_cdt::interior::Interior;
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::{Bands, Error, Location, Triangulation, Triangulator};
 use sweep_cdt_engine::{Inside as Rule, Settings};
-use sweep_cdt_formats::Remark;
+use sweep_cdt_formats::{Remark, edges_along};
 use sweep_cdt_terrain::Surface;
 
 use crate::calls::{Watch, call};
@@ -230,6 +230,29 @@ impl Core {
         let mut chain: Vec<i32> = chains.map(small).collect();
         chain.dedup();
         chain.into_pyarray(py)
+    }
+
+    /// For each side the first of these edges that runs along it, -1 where none does. Python knows the edges to be there.
+    fn edges_along<'py>(
+        &self,
+        py: Python<'py>,
+        edges: PyReadonlyArray1<'_, usize>,
+        sides: PyReadonlyArray2<'_, i32>,
+    ) -> Bound<'py, PyArray1<i64>> {
+        let sides = sides.as_array();
+        // A negative number is no vertex.
+        let number = |v: i32| usize::try_from(v).unwrap_or(usize::MAX);
+        let sides: Vec<_> = sides
+            .rows()
+            .into_iter()
+            .map(|side| [number(side[0]), number(side[1])])
+            .collect();
+        let edges = edges.as_array().to_vec();
+        let found = py.detach(|| edges_along(&self.result, edges, &sides));
+        let found = found
+            .into_iter()
+            .map(|edge| edge.map_or(-1, |edge| edge as i64));
+        found.collect::<Vec<i64>>().into_pyarray(py)
     }
 
     /// Whether each triangle is inside.

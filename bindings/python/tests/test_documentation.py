@@ -24,6 +24,16 @@ def test_readme(tmp_path, monkeypatch):
     assert failed == 0 and tried > 20
 
 
+def test_types(tmp_path):
+    """The package as it is strictly checked, and the examples as programs of users, who are."""
+    api = pytest.importorskip("mypy.api")
+    examples = doctest.DocTestParser().get_examples(README.read_text())
+    (tmp_path / "examples.py").write_text("".join(example.source for example in examples))
+    options = ["--config-file", str(README.with_name("pyproject.toml")), "--cache-dir", str(tmp_path)]
+    said, errors, status = api.run([*options, str(README.with_name("python")), str(tmp_path / "examples.py")])
+    assert status == 0, said + errors
+
+
 def is_there(test):
     """Whether the libraries are there that the examples import."""
     imports = (line.source for line in test.examples if line.source.startswith("import "))

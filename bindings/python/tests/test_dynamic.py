@@ -149,7 +149,10 @@ def test_natural_neighbours_weigh_planes_exactly():
         assert len(numbers) >= 3 and (weights > 0).all()
         np.testing.assert_allclose(weights @ points[numbers], place, rtol=1e-13)
         again, also = exact.natural_neighbors([Fraction(x) for x in place])
-        assert again.tolist() == numbers.tolist() and also.tolist() == weights.tolist()
+        assert again.tolist() == numbers.tolist() and [float(w) for w in also] == weights.tolist()
+        # Of fractions the weights are fractions, which add up to the place itself.
+        assert sum(also) == 1 and (also @ exact.places(again)).tolist() == [Fraction(x) for x in place]
+    assert exact.natural_neighbors([Fraction(-1), 0])[1].dtype == object
     assert edited.natural_neighbors([-1, 0])[0].tolist() == []
     with pytest.raises(sweep_cdt.ShapeError):
         edited.natural_neighbors([[1, 1]])

@@ -152,33 +152,39 @@ def test_values_that_are_no_numbers(values):
 # Geometries.
 
 
+SQUARE_OF_3 = [(0, 0), (3, 0), (3, 3), (0, 3)]
+# For each kind of a part its rings or other places, how many points and edges it has, and its area.
+KINDS = {
+    "point": ([[(0, 0)]], (1, 0), 0),
+    "line": ([[(0, 0), (1, 2), (2, 1)]], (3, 2), 0),
+    "ring": ([[(0, 0), (2, 0), (0, 2)]], (3, 3), 0),
+    "polygon": ([SQUARE_OF_3], (4, 4), 9),
+    "holed": ([SQUARE_OF_3, [(1, 1), (1, 2), (2, 1)]], (7, 7), 8.5),
+}
+
+
 def parts():
     """Parts of features: by a name and places, none of which touch those of another feature."""
-    return st.lists(st.lists(st.sampled_from(["point", "line", "polygon"]), max_size=3), min_size=1, max_size=4)
+    return st.lists(st.lists(st.sampled_from(sorted(KINDS)), max_size=3), min_size=1, max_size=4)
 
 
 def features_of(shapely, kinds, z=None):
-    """A geometry for each list of kinds: `None`, a part, a part of several of its kind, or a collection."""
+    """A geometry for each list of kinds: `None` or an empty one, a part, a part of several of its kind, or a collection."""
+    make = {"point": lambda p: shapely.Point(p[0]), "line": shapely.LineString, "ring": shapely.LinearRing}
+    of_many = {"point": shapely.MultiPoint, "polygon": shapely.MultiPolygon, "holed": shapely.MultiPolygon}
     features, x = [], 0
-    for parts in kinds:
+    for place, parts in enumerate(kinds):
         made = []
         for kind in parts:
-            places = {"point": [(0, 0)], "line": [(0, 0), (1, 2), (2, 1)], "polygon": [(0, 0), (3, 0), (3, 3), (0, 3)]}[
-                kind
-            ]
-            places = [(x + a, b) if z is None else (x + a, b, z(x + a, b)) for a, b in places]
-            make = {"point": lambda p: shapely.Point(p[0]), "line": shapely.LineString, "polygon": shapely.Polygon}[
-                kind
-            ]
-            made.append(make(places))
+            rings = [[(x + a, b) if z is None else (x + a, b, z(x + a, b)) for a, b in r] for r in KINDS[kind][0]]
+            made.append(make.get(kind, shapely.Polygon)(rings[0], *([rings[1:]] if len(rings) > 1 else [])))
             x += 5
         if not made:
-            features.append(None)
+            features.append([None, shapely.Point(), shapely.Polygon(), shapely.GeometryCollection()][place % 4])
         elif len(made) == 1:
             features.append(made[0])
         elif len(set(parts)) == 1:
-            of_many = {"point": shapely.MultiPoint, "line": shapely.MultiLineString, "polygon": shapely.MultiPolygon}
-            features.append(of_many[parts[0]](made))
+            features.append(of_many.get(parts[0], shapely.MultiLineString)(made))
         else:
             features.append(shapely.GeometryCollection([shapely.GeometryCollection(made[:1]), *made[1:]]))
     return features
@@ -200,7 +206,12 @@ def wrappings(shapely, features):
     array = series.to_numpy()
     yield from (series, series.values, array, series.tolist(), tuple(features), iter(features), (g for g in features))
     yield from (pandas.Series(array), pandas.DataFrame({"geometry": array}), geopandas.GeoDataFrame(geometry=series))
-    yield from (Own(geometry=series).rename_geometry("shape"), series.__geo_interface__, [series, geopandas.GeoSeries([])], np.array([array]))
+    yield from (
+        Own(geometry=series).rename_geometry("shape"),
+        series.__geo_interface__,
+        [series, geopandas.GeoSeries([])],
+        np.array([array]),
+    )
     yield [None if g is None else g.__geo_interface__ for g in features]
     yield [None if g is None else Document(g) for g in features]
     if all(features):
@@ -217,17 +228,16 @@ def test_a_wrapping_changes_nothing(kinds):
     if not any(features):
         return
     wanted = sweep_cdt.triangulate(features)
-    counts = {"point": (1, 0), "line": (3, 2), "polygon": (4, 4)}
-    expected = np.sum([counts[kind] for of_feature in kinds for kind in of_feature], axis=0)
-    assert [len(wanted.points), len(wanted.edges)] == expected.tolist()
-    assert wanted.area == 9 * sum(of_feature.count("polygon") for of_feature in kinds) or wanted.rule == "hull"
+    whole = [KINDS[kind] for of_feature in kinds for kind in of_feature]
+    assert [len(wanted.points), len(wanted.edges)] == np.sum([counts for _, counts, _ in whole], axis=0).tolist()
+    assert wanted.area == sum(area for *_, area in whole) or wanted.rule == "hull"
     for form in wrappings(shapely, features):
         result = sweep_cdt.triangulate(form)
         assert result.points.tolist() == wanted.points.tolist(), type(form)
         assert result.edges.tolist() == wanted.edges.tolist() and result.rule == wanted.rule
         if wanted.region is not None:
             assert result.region.tolist() == wanted.region.tolist(), type(form)
-            owners = {n for n, of_feature in enumerate(kinds) if "polygon" in of_feature}
+            owners = {n for n, of_feature in enumerate(kinds) if any(KINDS[kind][2] for kind in of_feature)}
             assert set(result.region[result.inside].tolist()) == owners
 
 

@@ -1,9 +1,12 @@
 """Heights: z and coordinate systems go through every type of geometry, and values at points are those of fractions."""
 
+import json
 import pickle
+import subprocess
 from fractions import Fraction
 
 import exact
+import hypothesis
 import numpy as np
 import pytest
 from hypothesis import given
@@ -12,6 +15,9 @@ from test_given import features_of, parts, wrappings
 from test_properties import NEAR, SMALL
 
 import sweep_cdt
+
+# Files last for a test; each example writes its own over them.
+shared = hypothesis.settings(suppress_health_check=[hypothesis.HealthCheck.function_scoped_fixture])
 
 
 def slope(x, y):
@@ -79,6 +85,60 @@ def test_a_document_of_its_time_has_a_coordinate_system():
     assert result.interpolate(result.heights, place).tolist() == [1.75]
     for none in (None, {"type": "link"}, {"type": "name", "properties": None}):
         assert sweep_cdt.triangulate({**feature, "crs": none}).crs is None
+
+
+NAMES = st.sampled_from(["z", "elev", "ELEV_M", "height", "contour", "girth", "name"])
+PROPERTIES = st.dictionaries(
+    NAMES, st.one_of(st.none(), st.integers(-9, 9), st.just("7"), st.just("oak"), st.booleans())
+)
+
+
+@shared
+@given(
+    kinds=parts(), properties=st.lists(PROPERTIES, min_size=4, max_size=4), with_z=st.lists(st.booleans(), min_size=4)
+)
+def test_a_property_is_the_height_as_for_the_command(command, tmp_path, kinds, properties, with_z):
+    shapely = pytest.importorskip("shapely")
+    # GeoJSON has no rings by themselves.
+    kinds = [[kind for kind in of_feature if kind != "ring"] for of_feature in kinds]
+    high, flat = features_of(shapely, kinds, slope), features_of(shapely, kinds)
+    shapes = [one if has else other for one, other, has in zip(high, flat, with_z)]
+    features = [
+        {"type": "Feature", "properties": of, "geometry": None if g is None else g.__geo_interface__}
+        for g, of in zip(shapes, properties)
+    ]
+    document = {"type": "FeatureCollection", "features": features}
+    (tmp_path / "map.geojson").write_text(json.dumps(document))
+    arguments = [command, "triangulate", "map.geojson", "-o", "map.json"]
+    ran = subprocess.run(arguments, cwd=tmp_path, capture_output=True, text=True)
+    assert ran.returncode == 0, ran.stderr
+    theirs = json.loads((tmp_path / "map.json").read_text())["points"]
+    for form in (document, features, [document]):
+        result = sweep_cdt.triangulate(form)
+        heights = np.full(len(result.points), np.nan) if result.heights is None else result.heights
+        known = [None if np.isnan(height) else height for height in heights]
+        assert dict(zip(map(tuple, result.points.tolist()), known)) == {
+            (*place[:2],): place[2] if len(place) > 2 else None for place in theirs
+        }
+        for remark in result.remarks:
+            assert remark.kind != "height-property" or str(remark) in ran.stderr
+
+
+def test_a_column_is_the_height_of_points_and_lines():
+    geopandas = pytest.importorskip("geopandas")
+    import shapely
+
+    polygon = "POLYGON ((5 5, 6 5, 5 6, 5 5))"
+    shapes = shapely.from_wkt(["POINT (0 0)", "LINESTRING (4 0, 4 4)", "POINT Z (0 4 7)", polygon])
+    frame = geopandas.GeoDataFrame({"name": list("abcd"), "Elev (m)": [1, None, 3, 4]}, geometry=shapes, crs=2056)
+    result = sweep_cdt.triangulate(frame)
+    gap = [np.nan] * 2
+    assert np.array_equal(result.heights, [1, 7, *gap, *gap, np.nan], equal_nan=True)
+    (remark,) = result.remarks
+    assert remark.numbers == {"name": "Elev (m)", "count": 1} and not remark.is_loss
+    both = sweep_cdt.triangulate([frame[:1], frame.geometry[1:]])
+    assert np.array_equal(both.heights, result.heights, equal_nan=True)
+    assert sweep_cdt.triangulate(frame[["name", "geometry"]][:2]).heights is None
 
 
 def test_two_coordinate_systems_are_refused():

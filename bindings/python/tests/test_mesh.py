@@ -203,6 +203,23 @@ def test_markers_and_regions_go_to_meshio_and_back(tmp_path):
     assert read.cell_data_dict["region"]["triangle"].tolist() == mesh.region[mesh.inside].tolist()
 
 
+def test_the_marker_of_a_side_is_that_of_the_first_edge_with_one():
+    pytest.importorskip("meshio")
+    segments, markers = [[0, 2], [1, 0], [1, 2], [2, 3]], [0, 5, 0, 7]
+    points = [[0, 0], [2, 0], [4, 0], [0, 3]]
+    result = sweep_cdt.triangulate({"vertices": points, "segments": segments, "segment_markers": markers})
+    wanted = {(0, 1): (0, 5), (1, 2): (0, 0), (2, 3): (3, 7)}
+    mesh = result.to_meshio()
+    rows = zip(
+        mesh.cells_dict["line"].tolist(), mesh.cell_data_dict["edge"]["line"], mesh.cell_data_dict["marker"]["line"]
+    )
+    assert {(*sorted(side),): (edge, marker) for side, edge, marker in rows} == wanted
+    written = result.to_triangle()
+    rows = zip(written["segments"].tolist(), written["segment_markers"].ravel().tolist())
+    of_hull = {(0, 3): (-1, 0)}
+    assert dict(((*side,), m) for side, m in rows) == {side: m for side, (_, m) in {**wanted, **of_hull}.items()}
+
+
 def test_markers_and_attributes_go_to_triangle_and_back():
     triangle = pytest.importorskip("triangle")
     mesh = sweep_cdt.triangulate(PARTS).refine(25, max_area=0.3)

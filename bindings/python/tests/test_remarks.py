@@ -1,5 +1,7 @@
 """Remarks: each is a warning, in the list of the result, and with `strict` an error, in the words of the command."""
 
+import json
+import pathlib
 import pickle
 import subprocess
 import warnings
@@ -139,6 +141,35 @@ def test_heights_that_are_missing_where_they_are_passed_on():
     assert result.remarks == ()
     with pytest.warns(sweep_cdt.RemarkWarning, match="1 of 4 vertices have no height"):
         result.to_shapely()
+
+
+def test_what_spans_half_of_the_globe(command):
+    """gadomski/antimeridian#29: a polygon across the line of 180 degrees, where degrees are known to be meant."""
+    geopandas = pytest.importorskip("geopandas")
+    import shapely
+
+    path = pathlib.Path(__file__).resolve().parents[3] / "tests/data/reports/across_180.geojson"
+    document = json.loads(path.read_text())
+    polygon = shapely.geometry.shape(document)
+    fields = geopandas.GeoSeries([polygon], crs=4326)
+    ran = subprocess.run([command, "triangulate", path.name], cwd=path.parent, capture_output=True, text=True)
+    as_crs = lambda crs: fields.set_crs(crs, allow_override=True)
+    for form in (document, [document], fields, geopandas.GeoDataFrame(geometry=fields), [as_crs(4258)]):
+        with pytest.warns(sweep_cdt.RemarkWarning, match="2 edges span more than 180 degrees") as caught:
+            (remark,) = sweep_cdt.triangulate(form).remarks
+        assert remark.kind == "half-of-the-globe" and remark.numbers == {"edges": 2} and not remark.is_loss
+        assert caught[0].message.remark == remark and str(remark) in ran.stderr
+    (remark,) = sweep_cdt.triangulate([[0, 0]], polygons=fields).remarks
+    assert remark.numbers == {"edges": 2}
+
+    class Own:
+        __geo_interface__ = document
+
+    metres = {**document, "crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::2056"}}}
+    for form in (polygon, Own(), metres, as_crs(2056), as_crs(None), fields.translate(360)):
+        assert sweep_cdt.triangulate(form).remarks == ()
+    cut = shapely.MultiPolygon([shapely.box(179, -17, 180, -16), shapely.box(-180, -17, -179.5, -16)])
+    assert sweep_cdt.triangulate(geopandas.GeoSeries([cut], crs=4326)).remarks == ()
 
 
 HEIGHTS = st.lists(st.integers(0, 2), min_size=6, max_size=6)

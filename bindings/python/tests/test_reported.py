@@ -1,17 +1,36 @@
 """Inputs of public reports on other programs, each with the result that its reporter wants.
 
-They were made anew with the same geometry or form.
+They were made anew with the same geometry or form. Those with a file have it in `tests/data/reports`.
 """
 
+import pathlib
 import pickle
+import subprocess
+from fractions import Fraction
+from itertools import combinations
 
+import exact
 import numpy as np
 import pytest
+from test_heights import values_in_fractions
 
 import sweep_cdt
 
 SQUARE = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]]
 NAN = float("nan")
+REPORTS = pathlib.Path(__file__).resolve().parents[3] / "tests/data/reports"
+
+
+def table(name):
+    """The rows of a table with names, as doubles."""
+    return np.loadtxt(REPORTS / name, delimiter=",", skiprows=1)
+
+
+def said(command, folder, *arguments):
+    """What the command prints, and what it says."""
+    ran = subprocess.run([command, *arguments], cwd=folder, capture_output=True, text=True)
+    assert ran.returncode == 0, ran.stderr
+    return ran.stdout, ran.stderr
 
 
 def test_corners_and_sides_of_a_star():
@@ -149,3 +168,115 @@ def test_a_result_of_three_decimals():
         sweep_cdt.verify(points, rounded)
     assert caught.value.vertex == caught.value.nearest == 4
     assert sweep_cdt.verify(points, rounded, tolerance=0.0005)
+
+
+def judged_near_sides(points, values, places):
+    """A place has a value if a triangle holds it exactly, and a remark counts the others. Returns the number of those."""
+    result = sweep_cdt.triangulate(points)
+    wanted = [values_in_fractions(points, result.simplices, values, place) for place in places]
+    outside = [not found for found in wanted]
+    with pytest.warns(sweep_cdt.RemarkWarning) as caught:
+        found = result.interpolate(values, places)
+    assert caught[0].message.remark.numbers == {"missing": sum(outside), "places": len(places)}
+    assert np.isnan(found).tolist() == outside
+    for value, of_triangles in zip(found.tolist(), wanted):
+        assert all(abs(value - float(height)) <= 1e-11 * np.ptp(values) for height in of_triangles)
+    return sum(outside)
+
+
+def test_places_on_a_side_but_for_rounding(command):
+    """scipy#22831, python-adaptive#181: a place that rounding moves off the hull has no value, and a word."""
+    corners, places = table("thin_triangle.csv"), table("on_its_side.csv")
+    assert judged_near_sides(corners[:, :2], corners[:, 2], places) == 7
+    out, words = said(command, REPORTS, "heights", "thin_triangle.csv", "--at", "on_its_side.csv")
+    assert "on_its_side.csv: 7 of 19 points have no height" in words and out.count("NaN") == 7
+    axis, line = np.linspace(-0.5000000000000001, 0.49999999999999983, 6), np.linspace(-0.5, 0.5, 11)
+    grids = [np.stack(np.meshgrid(a, a), axis=-1).reshape(-1, 2) for a in (axis, line)]
+    assert judged_near_sides(grids[0], np.arange(36.0), grids[1]) == 21
+
+
+def test_equal_points_and_missing_neighbours_by_the_command(command, tmp_path):
+    (tmp_path / "gap.csv").write_text("x,y,z\n0,0,1\n4,0,1\n4,4,1\n0,4,1\n9,9,\n")
+    (tmp_path / "at.csv").write_text("x,y\n4,4\n2,4\n")
+    assert said(command, tmp_path, "heights", "gap.csv", "--at", "at.csv")[0] == "x,y,z\n4,4,1\n2,4,1\n"
+
+
+def test_names_and_features_of_places_are_not_lost_without_a_word(command, tmp_path):
+    """Columns of words and properties, of tables and maps that get heights."""
+    (tmp_path / "terr.csv").write_text("x,y,z\n0,0,1\n10,0,2\n10,10,3\n0,10,4\n")
+    (tmp_path / "trees.csv").write_text('id,name,x,y,girth\n1,oak,2,3,1.5\n2,"elm, old",7,7,0.9\n')
+    well = '{"type": "Feature", "properties": {"depth": 30}, "geometry": {"type": "Point", "coordinates": [2, 3]}}'
+    (tmp_path / "wells.geojson").write_text(well)
+    for places, words in (("trees.csv", "1 column `name`"), ("wells.geojson", "1 property `depth`")):
+        out, note = said(command, tmp_path, "heights", "terr.csv", "--at", places)
+        assert note == f"note: {places}: ignored: {words}\n" and "2.1" in out
+
+
+def in_fractions(ring):
+    """The area of a closed ring."""
+    ring = [[Fraction(x) for x in place] for place in ring]
+    return sum(a[0] * b[1] - a[1] * b[0] for a, b in zip(ring, ring[1:])) / 2
+
+
+@pytest.mark.parametrize(
+    "ring",
+    [
+        # gadomski/antimeridian#201: sides along the line of 180 degrees, and a double beside it.
+        "(180 -16.1, 179.99999999999997 -16.4, 180 -16.7, 179.1 -16.9, 178.6 -16.3, 180 -16.1)",
+        # elalish/manifold#564: corners that rounding moves off a line, and two that are nearly one.
+        "(0 0, 0.1 0.1, 0.30000000000000004 0.3, 0.30000000000000004 0.30000000000000004, 0.2 0.4,"
+        " 0.1 0.20000000000000004, 0 0)",
+    ],
+)
+def test_areas_of_outlines_that_are_nearly_degenerate(ring):
+    judged_area(pytest.importorskip("shapely").from_wkt(f"POLYGON ({ring})"))
+
+
+def test_walls_that_are_thin():
+    """mapbox/earcut.hpp#100."""
+    shapely = pytest.importorskip("shapely")
+    wall = shapely.from_wkt((REPORTS / "thin_wall.wkt").read_text())
+    assert abs(judged_area(wall) - 0.6102) < 1e-15
+
+
+def judged_area(polygon):
+    """The area of the triangles inside, which is that of the rings in fractions; verified."""
+    result = sweep_cdt.triangulate(polygon)
+    outline, *holes = (abs(in_fractions(ring.coords)) for ring in [polygon.exterior, *polygon.interiors])
+    wanted = outline - sum(holes)
+    assert abs(Fraction(result.area) - wanted) <= wanted / 10**14
+    corners = result.points[result.triangles].tolist()
+    assert sum(in_fractions([*three, three[0]]) for three in corners) == wanted
+    assert sweep_cdt.verify(result).is_canonical
+    return result.area
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        # jupedsim#1045: two halls, and a corridor through both of them.
+        ["(0 0, 10 0, 10 8, 0 8, 0 0)", "(9 2, 19 2, 19 6, 9 6, 9 2)", "(-1 3, 20 3, 20 5, -1 5, -1 3)"],
+        # CGAL/cgal#3314: the outline of a roof with its ridges, in metres of UTM.
+        [
+            "(431210.37 5411002.81, 431221.93 5411006.44, 431218.12 5411018.59, 431206.55 5411014.95, 431210.37 5411002.81)",
+            "(431216.15 5411003.1, 431212.34 5411017.9)",
+            "(431207.1 5411008.88, 431221.7 5411012.517, 431209.4 5411005.3)",
+        ],
+    ],
+)
+def test_lines_that_cross_are_split_where_they_do(lines):
+    shapely = pytest.importorskip("shapely")
+    lines = shapely.from_wkt([f"LINESTRING {line}" for line in lines])
+    sides = [tuple(map(tuple, side)) for line in lines for side in zip(line.coords, line.coords[1:])]
+    ends = exact.integers([place for side in sides for place in side])
+    crossings = set()
+    for (p, q), (r, s) in combinations(list(zip(ends[::2], ends[1::2])), 2):
+        one, other = exact.turn(p, q, r), exact.turn(p, q, s)
+        if one * other < 0 and exact.turn(r, s, p) * exact.turn(r, s, q) < 0:
+            crossings.add(tuple(a + Fraction(one, one - other) * (b - a) for a, b in zip(r, s)))
+    with pytest.raises(sweep_cdt.CrossingEdgesError):
+        sweep_cdt.triangulate(lines)
+    result = sweep_cdt.triangulate(lines, split_crossings=True)
+    places = {place for side in sides for place in side}
+    assert len(crossings) > 4 and len(result.points) == len(places) + len(crossings)
+    assert sweep_cdt.verify(result).is_canonical

@@ -7,7 +7,6 @@ use num_rational::BigRational;
 use sweep_cdt::Triangulation;
 use sweep_cdt::crossings::Exact;
 use sweep_cdt::interior::Interior;
-use sweep_cdt::scalar::orient2d;
 use sweep_cdt_edit::{Voronoi, VoronoiError};
 use sweep_cdt_formats::{Cell, Remark};
 
@@ -89,34 +88,32 @@ pub fn cells<S: Exact>(
     }
     let mut cells = Vec::new();
     for point in (0..voronoi.cells.len()).filter(|&v| result.representative(v) == v) {
-        let rings = match clip {
-            Clip::Box(corners) => {
-                let own = &voronoi.cells[point];
-                let own: Vec<[S; 2]> = own.iter().map(|&v| voronoi.vertices[v].clone()).collect();
+        let polygons = match clip {
+            Clip::Box(ends) => {
+                let own = voronoi.corners(point);
                 // Rounding keeps the order, so that an exact vertex lies in the box if the rounded one does.
                 let is_in = |place: &[S; 2]| {
-                    let [low, high] = corners;
+                    let [low, high] = ends;
                     (0..2).all(|i| {
                         low[i].compare(&place[i]).is_lt() && place[i].compare(&high[i]).is_lt()
                     })
                 };
                 if !is_open[point] && own.iter().all(is_in) {
-                    vec![own]
+                    alone(own)
                 } else {
-                    let [[left, low], [right, high]] = corners.clone();
+                    let [[left, low], [right, high]] = ends.clone();
                     let polygon = [
                         [left.clone(), low.clone()],
                         [right.clone(), low],
                         [right, high.clone()],
                         [left, high],
                     ];
-                    vec![voronoi.cell_within(point, &polygon)?]
+                    alone(voronoi.cell_within(point, &polygon)?)
                 }
             }
-            Clip::Convex(polygon) => vec![voronoi.cell_within(point, polygon)?],
+            Clip::Convex(polygon) => alone(voronoi.cell_within(point, polygon)?),
             Clip::Inside(inside, corners) => voronoi.cell_inside(point, inside, corners)?,
         };
-        let polygons = polygons(rings);
         cells.push(Cell { point, polygons });
     }
     let points = voronoi.cells.len() - cells.len();
@@ -126,50 +123,8 @@ pub fn cells<S: Exact>(
     ))
 }
 
-/// Rings as polygons: outlines run counter-clockwise, and each is followed by the holes in it, which run clockwise.
-fn polygons<S: Exact>(rings: Vec<Vec<[S; 2]>>) -> Vec<Vec<Vec<[S; 2]>>> {
-    let lowest = |ring: &[[S; 2]]| {
-        let order = |&i: &usize, &j: &usize| {
-            let ([x, y], [z, w]) = (&ring[i], &ring[j]);
-            y.compare(w).then_with(|| x.compare(z))
-        };
-        (0..ring.len()).min_by(order)
-    };
-    let is_outline = |ring: &Vec<[S; 2]>| {
-        lowest(ring).is_some_and(|at| {
-            let [before, at, after] =
-                [at + ring.len() - 1, at, at + 1].map(|i| &ring[i % ring.len()]);
-            orient2d(before, at, after).is_gt()
-        })
-    };
-    let rings = rings.into_iter().filter(|ring| !ring.is_empty());
-    let (outlines, holes): (Vec<_>, Vec<_>) = rings.partition(is_outline);
-    let mut polygons: Vec<Vec<Vec<[S; 2]>>> = outlines.into_iter().map(|ring| vec![ring]).collect();
-    for hole in holes {
-        let holds =
-            |polygon: &Vec<Vec<[S; 2]>>| hole.iter().any(|place| is_inside(&polygon[0], place));
-        // A hole whose corners all touch the outline is in the only one that is left.
-        let place = polygons.iter().position(holds).unwrap_or(0);
-        if let Some(polygon) = polygons.get_mut(place) {
-            polygon.push(hole);
-        }
-    }
-    polygons
-}
-
-/// Whether a place lies in a ring and not on it.
-fn is_inside<S: Exact>(ring: &[[S; 2]], place: &[S; 2]) -> bool {
-    let mut crossed = 0;
-    for (i, a) in ring.iter().enumerate() {
-        let b = &ring[(i + 1) % ring.len()];
-        let is_up = a[1].compare(&b[1]).is_lt();
-        let [low, high] = if is_up { [a, b] } else { [b, a] };
-        let is_beside = low[1].compare(&place[1]).is_le() && place[1].compare(&high[1]).is_lt();
-        match orient2d(low, high, place) {
-            std::cmp::Ordering::Greater if is_beside => crossed += 1,
-            std::cmp::Ordering::Equal if is_beside => return false,
-            _ => {}
-        }
-    }
-    crossed % 2 == 1
+/// The polygon of one ring, if it has corners.
+fn alone<S>(ring: Vec<[S; 2]>) -> Vec<Vec<Vec<[S; 2]>>> {
+    let rings = (!ring.is_empty()).then(|| vec![ring]);
+    rings.into_iter().collect()
 }

@@ -305,3 +305,47 @@ fn angles_are_said_at_every_scale() {
     let flat = [[0.0, 0.0], [1.0, 1.0], [1.0, 1.0]];
     assert!(size(Broken::Angle, flat.each_ref()) <= 0.0);
 }
+
+/// Where corners round to one place, the cell is there all the same: two points in a box around them, first.
+#[test]
+fn cells_of_doubles_tile_what_they_are_cut_to() {
+    let mut random = Random::new(37);
+    let mut few = |case| match case {
+        0 => vec![[0, 0], [1, 1]],
+        _ => points(case, &mut random),
+    };
+    for given in (0..200).map(&mut few) {
+        let doubles: Vec<[f64; 2]> = given.iter().map(|point| point.map(|x| x as f64)).collect();
+        let result = triangulate(&doubles, &[]).expect("points");
+        let voronoi = Voronoi::new(&result, &doubles).expect("no edges");
+        let frame = [[-0.1, -0.1], [0.7, -0.1], [0.7, 0.3], [-0.1, 0.3]];
+        let inside = triangulate(&frame, &[[0, 1], [1, 2], [2, 3], [3, 0]]).expect("a frame");
+        let inside = inside.interior(FillRule::EvenOdd).expect("a ring");
+        for clip in [
+            Clip::around(&doubles).expect("points"),
+            Clip::Box([frame[0], frame[2]]),
+            Clip::Convex(frame.to_vec()),
+            Clip::Inside(&inside, &frame),
+        ] {
+            let [low, high] = match clip {
+                Clip::Box(ends) => ends,
+                _ => [frame[0], frame[2]],
+            };
+            let expected = 2.0 * (high[0] - low[0]) * (high[1] - low[1]);
+            let (found, _) = cells(&voronoi, &result, &clip).expect("finite corners");
+            let mut sum = 0.0;
+            for ring in found.iter().flat_map(|cell| cell.polygons.iter().flatten()) {
+                let ends = ring.iter().zip(ring.iter().cycle().skip(1));
+                assert!(
+                    ring.len() > 2 && ends.clone().all(|(p, q)| p != q),
+                    "{given:?}: {ring:?}"
+                );
+                sum += ends.map(|(p, q)| p[0] * q[1] - p[1] * q[0]).sum::<f64>();
+            }
+            assert!(
+                (sum / expected - 1.0).abs() < 1e-12,
+                "{given:?}: {sum} for {expected}"
+            );
+        }
+    }
+}

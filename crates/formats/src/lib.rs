@@ -46,14 +46,15 @@ pub use polygons::Polygons;
 pub use read::ply_parts as ply;
 pub use read::{
     Input, Listed, Matched, Matching, Nearest, Precision, ReadError, ReadErrorKind, ResultError,
-    Source, Triangles, WayOut, added_points, quoted, read, read_result, reason,
+    Source, Triangles, WayOut, added_points, named_columns, named_height, quoted, read,
+    read_result, reason,
 };
 pub use remark::{NoTriangles, Remark};
 pub use seeds::locate_seeds;
 pub use split::Splitting;
 pub use system::CoordinateSystem;
 pub use write::{
-    Cell, Ridges, json_coordinate, not_written, write, write_cells, write_certificate,
+    Cell, Ridges, edges_along, json_coordinate, not_written, write, write_cells, write_certificate,
     write_crossings, write_graph, write_interior, write_lines, write_node, write_ridges,
     write_violations,
 };

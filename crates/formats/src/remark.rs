@@ -165,6 +165,32 @@ impl Remark {
         Remark::Ignored { count, what }
     }
 
+    /// The remark on sides that span more than half of all longitudes, if there are any. Where only one place is no
+    /// longitude and latitude, none is.
+    ///
+    /// ```
+    /// use sweep_cdt_formats::Remark;
+    ///
+    /// let places = [[179.0, -17.0], [-179.5, -17.0], [-179.5, -16.0]];
+    /// let remark = Remark::half_of_the_globe(&places, [[0, 1], [1, 2], [2, 0]]);
+    /// assert_eq!(remark, Some(Remark::HalfOfTheGlobe { edges: 2 }));
+    /// ```
+    ///
+    /// # Panics
+    /// A side ends at no place.
+    pub fn half_of_the_globe(
+        places: &[[f64; 2]],
+        sides: impl IntoIterator<Item = [usize; 2]>,
+    ) -> Option<Remark> {
+        let is_on_globe = |[x, y]: &[f64; 2]| x.abs() <= 180.0 && y.abs() <= 90.0;
+        if !places.iter().all(is_on_globe) {
+            return None;
+        }
+        let is_wide = |&[a, b]: &[usize; 2]| (places[a][0] - places[b][0]).abs() > 180.0;
+        let edges = sides.into_iter().filter(is_wide).count();
+        (edges > 0).then_some(Remark::HalfOfTheGlobe { edges })
+    }
+
     /// The name of the kind, which stays as it is.
     pub fn name(&self) -> &'static str {
         match self {

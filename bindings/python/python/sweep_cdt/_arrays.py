@@ -12,10 +12,30 @@ from typing import Any
 
 import numpy as np
 
+from . import _native
 from ._errors import KindError, ShapeError
 
 # Whole numbers up to this size are doubles.
 WHOLE = 2**53
+
+
+def by_names(given: Any) -> tuple[Any, Any]:
+    """Of a frame that names x and y, as a table does in its first row: these columns, and the one of heights, if it names
+    one. Anything else as it is."""
+    if not (hasattr(given, "columns") and hasattr(given, "__array__")):
+        return given, None
+    names = [str(name) for name in getattr(given, "column_names", given.columns)]
+    places = _native.named_columns(names)
+    if places is None:
+        return given, None
+    return _picked(given, places[:2]), _picked(given, places[2:]) if places[2:] else None
+
+
+def _picked(given: Any, places: list[int]) -> Any:
+    """Some columns of a frame of pandas or polars, or of a table of pyarrow."""
+    if hasattr(given, "iloc"):
+        return given.iloc[:, places]
+    return given.select(places) if hasattr(given, "column_names") else given[:, places]
 
 
 def as_array(given: Any, name: str, missing: bool = False, columns: int | None = 2) -> np.ndarray:

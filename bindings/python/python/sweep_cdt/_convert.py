@@ -81,7 +81,8 @@ def to_meshio(self: Triangulation, z: Any = None) -> Any:
     """The triangles inside and the constrained sides as a `meshio.Mesh`.
 
     The ``cell_data`` are the ``region`` of each triangle, the ``edge`` of each line as of `edge_of`, and its ``marker``,
-    where there are any; -1, and of markers 0, where a cell has none.
+    where there are any; -1, and of markers 0, where a cell has none. Of several edges along a line the first counts, and
+    for the marker the first with one.
 
     Parameters
     ----------
@@ -107,24 +108,27 @@ def to_meshio(self: Triangulation, z: Any = None) -> Any:
     if len(self.constrained_sides):
         cells.append(("line", self.constrained_sides))
         none = np.full(len(self.triangles), -1, dtype=np.int32)
-        edges = _edges_of_sides(self)
+        sides = self.constrained_sides
         for blocks in data.values():
-            blocks.append(np.full(len(edges), -1, dtype=np.int32))
-        data["edge"] = [none, np.where(edges < 0, -1, self.edge_of[edges]).astype(np.int32)]
+            blocks.append(np.full(len(sides), -1, dtype=np.int32))
+        edges = _edges_along(self, sides, np.arange(len(self.edges)))
+        data["edge"] = [none, np.r_[self.edge_of, -1][edges].astype(np.int32)]
         if self.markers is not None:
-            data["marker"] = [np.zeros_like(none), np.where(edges < 0, 0, self.markers[edges]).astype(np.int32)]
+            data["marker"] = [np.zeros_like(none), _markers_of(self, sides)]
     return meshio.Mesh(_places(self, z), cells, cell_data=data)
 
 
-def _edges_of_sides(self: Triangulation, sides: np.ndarray | None = None) -> np.ndarray:
-    """For each side the first edge that covers it, -1 where there is none."""
-    first: dict[tuple[int, int], int] = {}
-    for edge in range(len(self.edges)):
-        chain = self._core.chain(edge, edge + 1).tolist()
-        for a, b in zip(chain, chain[1:]):
-            first.setdefault((min(a, b), max(a, b)), edge)
-    sides = self.constrained_sides if sides is None else sides
-    return np.array([first.get((min(a, b), max(a, b)), -1) for a, b in sides.tolist()], dtype=np.intp)
+def _edges_along(self: Triangulation, sides: np.ndarray, edges: np.ndarray) -> np.ndarray:
+    """For each side the first of these edges that runs along it, -1 where there is none."""
+    return self._core.edges_along(edges.astype(np.uintp), np.ascontiguousarray(sides, dtype=np.int32))
+
+
+def _markers_of(self: Triangulation, sides: np.ndarray) -> np.ndarray:
+    """The marker of each side, 0 where it has none: that of the first edge with a marker along it."""
+    assert self.markers is not None
+    marked = _edges_along(self, sides, np.flatnonzero(self.markers))
+    # A number of -1 takes the last one.
+    return np.r_[self.markers, 0][marked].astype(np.int32)
 
 
 def to_pyvista(self: Triangulation, z: Any = None) -> Any:
@@ -238,8 +242,7 @@ def to_triangle(self: Triangulation) -> dict[str, np.ndarray]:
     if self.heights is not None:
         result["vertex_attributes"] = self.heights[:, None]
     if self.markers is not None:
-        edges = _edges_of_sides(self, segments)
-        result["segment_markers"] = np.where(edges < 0, 0, self.markers[edges]).astype(np.int32)[:, None]
+        result["segment_markers"] = _markers_of(self, segments)[:, None]
     if self._input.attributes and self.region is not None:
         # A number of -1 takes the last one.
         attributes = np.array([*self._input.attributes, 0.0])

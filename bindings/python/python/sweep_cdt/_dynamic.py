@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import fractions
 from typing import Any
 
 import numpy as np
@@ -87,9 +88,7 @@ class DynamicTriangulation:
     def __len__(self) -> int:
         return len(self.triangles)
 
-    def edit(
-        self, *, points: Any = (), edges: Any = None, remove_points: Any = (), remove_edges: Any = ()
-    ) -> Change:
+    def edit(self, *, points: Any = (), edges: Any = None, remove_points: Any = (), remove_edges: Any = ()) -> Change:
         """Makes all edits at once, or none. What is removed goes first.
 
         Parameters
@@ -200,8 +199,8 @@ class DynamicTriangulation:
         -------
         numbers : ndarray of int of shape (k,)
             The numbers of the neighbours. None outside of the hull, and if there are no triangles.
-        weights : ndarray of float of shape (k,)
-            They add up to 1, but for rounding.
+        weights : ndarray of shape (k,)
+            They add up to 1: doubles but for rounding, and `Fraction` objects where the points are these.
 
         Raises
         ------
@@ -220,6 +219,8 @@ class DynamicTriangulation:
         if not finite.all():
             return np.empty(0, dtype=np.intp), np.empty(0)
         numbers, weights = self._core.natural_neighbors(places)
+        if not isinstance(weights, np.ndarray):
+            weights = np.array([fractions.Fraction(*parts) for parts in weights], dtype=object)
         return numbers.astype(np.intp), weights
 
     def triangulation(self) -> Triangulation:

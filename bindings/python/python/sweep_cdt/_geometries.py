@@ -7,18 +7,21 @@ known by what it has, so that shapely is imported where there are geometries.
 from __future__ import annotations
 
 import dataclasses
+import math
 from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
 
 from . import _native
+from ._arrays import as_values
 from ._errors import Error, KindError
 from ._input import Input
 from ._remarks import Remark
 
+# The types of GeoJSON, and the one that shapely has beside them.
 GEOJSON = {"Feature", "FeatureCollection", "GeometryCollection", "LineString", "MultiLineString", "MultiPoint"} | {
-    "MultiPolygon", "Point", "Polygon"
+    "MultiPolygon", "Point", "Polygon", "LinearRing"
 }  # fmt: skip
 # The name of the column of heights.
 HEIGHT = "z"
@@ -27,10 +30,15 @@ COLLECTIONS = {"MultiPoint", "MultiLineString", "MultiPolygon", "GeometryCollect
 
 @dataclasses.dataclass
 class Geometries:
-    """Geometries of shapely, `None` where a feature has none, and their coordinate system."""
+    """Geometries of shapely, `None` where a feature has none, and what is said of them."""
 
     features: np.ndarray
     crs: Any = None
+    # Whether the coordinate system is known to be one of longitudes and latitudes.
+    is_on_globe: bool = False
+    # The height of each feature, NaN where it has none, and the name of the property that it is, if there are any.
+    heights: np.ndarray | None = None
+    height_name: str = HEIGHT
 
 
 def as_geometries(given: Any, name: str = "points") -> Geometries | None:
@@ -40,7 +48,10 @@ def as_geometries(given: Any, name: str = "points") -> Geometries | None:
     if _is_geometry(given):
         return Geometries(_array([given]))
     if (document := _document(given)) is not None:
-        return _of_document(document, name)
+        found = _of_document(document, name)
+        # An object need not be of longitudes and latitudes.
+        found.is_on_globe &= document is given
+        return found
     if hasattr(given, "columns") and hasattr(given, "iloc"):
         # A frame of pandas, of which a column has geometries.
         return as_geometries(given["geometry"], name) if "geometry" in given.columns else None
@@ -73,14 +84,26 @@ def _document(given: Any) -> dict[str, Any] | None:
 
 
 def _of_geopandas(given: Any, name: str) -> Geometries:
+    numbers: dict[str, Any] = {}
     if hasattr(given, "columns"):
+        numbers = {str(column): given[column] for column in given.select_dtypes("number").columns}
         try:
             given = given.geometry
         except AttributeError:
             raise KindError(
                 f"{name} is a GeoDataFrame without a column of geometries: set_geometry names one"
             ) from None
-    return Geometries(np.asarray(given, dtype=object), given.crs)
+    found = Geometries(np.asarray(given, dtype=object), given.crs, getattr(given.crs, "is_geographic", False))
+    if (column := _height(numbers)) is not None:
+        found.heights, found.height_name = as_values(numbers[column], len(given), column), column
+    return found
+
+
+def _height(numbers: dict[str, Any]) -> str | None:
+    """The name of the property or column that is a height, as files have them."""
+    names = list(numbers)
+    place = _native.named_height(names)
+    return None if place is None else names[place]
 
 
 def _of_document(document: dict[str, Any], name: str) -> Geometries:
@@ -90,32 +113,53 @@ def _of_document(document: dict[str, Any], name: str) -> Geometries:
         features = document["features"] if document["type"] == "FeatureCollection" else [document]
         geometries = [feature["geometry"] if feature["type"] == "Feature" else feature for feature in features]
         found = [None if geometry is None else shapely.geometry.shape(geometry) for geometry in geometries]
+        of_features = [feature.get("properties") or {} for feature in features]
+        numbers = [{str(name): _number(x) for name, x in properties.items()} for properties in of_features]
     except (shapely.errors.ShapelyError, ValueError, TypeError, KeyError, AttributeError, IndexError) as error:
         raise KindError(f"{name} is no right GeoJSON: {type(error).__name__}: {error}") from None
-    # RFC 7946 has no `crs`; programs that are older write one.
+    # RFC 7946 has longitudes and latitudes and no `crs`; programs that are older write one.
     crs = document.get("crs")
     name_of_crs = (crs.get("properties") or {}).get("name") if isinstance(crs, dict) else None
-    return Geometries(_array(found), name_of_crs)
+    known = [{column: x for column, x in of.items() if math.isfinite(x)} for of in numbers]
+    names = [_height(of_feature) for of_feature in known]
+    heights = np.array([np.nan if column is None else of[column] for column, of in zip(names, known)])
+    first = next((column for column in names if column is not None), None)
+    return Geometries(_array(found), name_of_crs, crs is None, None if first is None else heights, first or HEIGHT)
+
+
+def _number(value: Any) -> float:
+    """A property that is a number, or a text with one; NaN of others."""
+    try:
+        return math.nan if isinstance(value, bool) else float(value)
+    except (TypeError, ValueError, OverflowError):
+        return math.nan
 
 
 def _of_members(members: Iterable[Any], name: str) -> Geometries:
     """The geometries of each member, which is one or has some."""
-    found, systems = [], []
+    found = []
     for position, member in enumerate(members):
         if member is None or _is_geometry(member):
-            found.append(_array([member]))
-            continue
-        inner = as_geometries(member, f"{name}[{position}]")
+            inner: Geometries | None = Geometries(_array([member]))
+        else:
+            inner = as_geometries(member, f"{name}[{position}]")
         if inner is None:
             raise KindError(
                 f"{name}[{position}] is no geometry but of the type {type(member).__name__}", position=(position,)
             )
-        found.append(inner.features)
-        systems.append(inner.crs)
-    known = [crs for crs in systems if crs is not None]
+        found.append(inner)
+    known = [one.crs for one in found if one.crs is not None]
     for crs in known:
         agree(known[0], crs, name)
-    return Geometries(np.concatenate(found), known[0] if known else None)
+    raised = [one.height_name for one in found if one.heights is not None]
+    heights = [np.full(len(one.features), np.nan) if one.heights is None else one.heights for one in found]
+    return Geometries(
+        np.concatenate([one.features for one in found]),
+        known[0] if known else None,
+        any(one.is_on_globe for one in found),
+        np.concatenate(heights) if raised else None,
+        raised[0] if raised else HEIGHT,
+    )
 
 
 def agree(one: Any, other: Any, name: str) -> None:
@@ -190,12 +234,22 @@ def of_geometries(given: Geometries) -> Input:
     points, first, vertex = _distinct(places[:, :2])
     measures = shapely.get_num_coordinates(parts[shapely.has_m(parts)]).sum() if hasattr(shapely, "has_m") else 0
     heights, remarks = None, _native.ignored(int(measures), "measure", "measures")
-    if shapely.has_z(parts).any():
-        heights, conflicts = gathered(places[:, 2], vertex, len(points), HEIGHT)
+    z, count = places[:, 2], 0
+    if given.heights is not None:
+        # Of points and lines that have none: the height of a building is not that of its ground.
+        height = np.where(chain < len(chains) - len(rings), given.heights[chain_feature[chain]], np.nan)
+        is_raised = np.isnan(z) & ~np.isnan(height)
+        z, count = np.where(is_raised, height, z), len(np.unique(chain_feature[chain[is_raised]]))
+        remarks += _native.height_property(given.height_name, count) if count else []
+    if count or shapely.has_z(parts).any():
+        heights, conflicts = gathered(z, vertex, len(points), HEIGHT)
         remarks += conflicts
+    edges = np.ascontiguousarray(vertex[np.stack([step, step + 1], axis=1)].reshape(-1, 2), dtype=np.uintp)
+    if given.is_on_globe:
+        remarks += _native.half_of_the_globe(points, edges)
     return Input(
         points,
-        np.ascontiguousarray(vertex[np.stack([step, step + 1], axis=1)].reshape(-1, 2), dtype=np.uintp),
+        edges,
         list(zip(ring_polygon.tolist(), is_hole.tolist())),
         edge_ring.astype(np.int64),
         features=of[is_polygon].tolist(),

@@ -7,10 +7,11 @@ from typing import Any
 
 import numpy as np
 
-from ._arrays import as_array, as_values, listed
+from . import _native
+from ._arrays import as_array, as_values, by_names, listed
 from ._errors import Error, KindError, ShapeError
 from ._geometries import as_geometries, as_places, of_geometries, rings_of
-from ._input import Input, as_edges, as_points
+from ._input import Input, as_doubles, as_edges, as_points
 
 
 def as_input(given: Any, edges: Any = None, polygons: Any = None, holes: Any = None) -> Input:
@@ -34,10 +35,13 @@ def as_input(given: Any, edges: Any = None, polygons: Any = None, holes: Any = N
         regions, attributes = _regions(given.get("regions"))
         heights, markers = given.get("vertex_attributes"), given.get("segment_markers")
         given = given["vertices"]
-    points = as_points(given)
+    places, z = by_names(given)
+    points = as_points(places)
     if heights is not None:
         # The first attribute, as of .node files.
         heights = first_column(heights, len(points), "vertex_attributes")
+    elif z is not None:
+        heights = first_column(z, len(points), "the column of heights")
     edges = as_edges(edges)
     if markers is not None:
         markers = _markers(markers, len(edges))
@@ -104,16 +108,22 @@ def _with_polygons(given: Input, polygons: Any) -> Input:
             ring_of.append(np.full(len(vertices), len(rings), dtype=np.int64))
             rings.append((polygon, position > 0))
     known = np.concatenate(heights)
+    points = given.points if added is None else np.concatenate(added)
+    edges = np.concatenate(sides)
+    remarks = list(given.remarks)
+    if geometries is not None and geometries.is_on_globe:
+        remarks += _native.half_of_the_globe(as_doubles(points), edges)
     new = np.zeros(sum(map(len, sides)) - len(given.edges), dtype=np.int64)
     return given.changed(
-        points=given.points if added is None else np.concatenate(added),
-        edges=np.concatenate(sides),
+        points=points,
+        edges=edges,
         rings=rings,
         ring_of=np.concatenate(ring_of) if rings else None,
         features=features,
         markers=None if given.markers is None else np.r_[given.markers, new],
         heights=None if np.isnan(known).all() else known,
         crs=crs,
+        remarks=tuple(remarks),
     )
 
 

@@ -18,7 +18,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from . import _native
-from ._arrays import as_array, fits, listed
+from ._arrays import as_array, by_names, fits, listed
 from ._errors import (
     CrossingEdgesError,
     EdgeOutOfRangeError,
@@ -42,15 +42,18 @@ def as_points(given: Any, name: str = "points", missing: bool = False) -> Any:
     """
     if isinstance(given, _native.ExactPoints):
         return given
-    given = listed(given)
+    given, _ = by_names(listed(given))
     if isinstance(given, (str, bytes)) or not (isinstance(given, Iterable) or hasattr(given, "__array__")):
         raise KindError(f"{name} is no array but {_kind(given)}")
     array = as_array(given, name, missing)
     if array.size == 0 and array.ndim == 1:
         return np.empty((0, 2))
     if array.ndim != 2 or array.shape[1] != 2:
-        has_heights = array.ndim == 2 and array.shape[1] == 3
-        hint = f": of heights in a third column, pass {name}[:, :2]" if has_heights else ""
+        hint = ""
+        if hasattr(given, "columns"):
+            hint = ": name two of its columns x and y"
+        elif array.ndim == 2 and array.shape[1] == 3:
+            hint = f": of heights in a third column, pass {name}[:, :2]"
         raise ShapeError(f"{name} has the shape {array.shape}, not (n, 2){hint}", shape=array.shape)
     kind = array.dtype.kind
     if kind in "iuf" and array.dtype.itemsize <= 8 and fits(array):

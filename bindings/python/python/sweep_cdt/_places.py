@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _native
-from ._arrays import as_array, as_values, listed
+from ._arrays import as_array, as_values, by_names, listed
 from ._errors import ShapeError
 from ._geometries import agree, as_geometries, as_places, gathered
 from ._input import NO_EDGES, Input, as_points
@@ -156,15 +156,17 @@ def as_queries(given: Any, name: str, own: Input) -> tuple[Any, Any, np.ndarray,
         agree(own.crs, geometries.crs, name)
         array = as_places(geometries, name)
     else:
-        array = as_array(given, name, missing=True)
+        array = as_array(by_names(given)[0], name, missing=True)
     if array.ndim == 0 or array.shape[-1] != 2:
         raise ShapeError(f"{name} has the shape {array.shape}, not (..., 2)", shape=array.shape)
     rows = array.reshape(-1, 2)
+    is_finite = np.ones(rows.shape, dtype=bool)
     if rows.dtype.kind == "O":
-        is_finite = [not (isinstance(x, float) and not np.isfinite(x)) for x in rows.flat]
-        finite = np.array(is_finite, dtype=bool).reshape(-1, 2).all(axis=1)
-    else:
-        finite = np.isfinite(rows).all(axis=1) if rows.dtype.kind == "f" else np.ones(len(rows), dtype=bool)
+        of_each = [not (isinstance(x, float) and not np.isfinite(x)) for x in rows.flat]
+        is_finite = np.array(of_each, dtype=bool).reshape(rows.shape)
+    elif rows.dtype.kind == "f":
+        is_finite = np.isfinite(rows)
+    finite = is_finite[:, 0] & is_finite[:, 1]
     queries, points = as_points(rows if finite.all() else rows[finite], name), own.points
     # Doubles on a grid are looked up as doubles, others are converted to the kind of the points.
     if isinstance(queries, np.ndarray) and own.is_exact:

@@ -46,7 +46,9 @@ def triangulate(
     points : array_like of shape (n, 2), or an object that has points
         Doubles, single precision, whole numbers, `Fraction` or `Decimal`: all exact. Where they are no doubles, a
         whole number, numerator or denominator has at most 10,000 digits, and an exponent is from -400 to 400; what is
-        beyond raises `TooLargeError`. No point may be masked or missing. Frames of pandas and polars count as arrays.
+        beyond raises `TooLargeError`. No point may be masked or missing. Of frames of pandas and polars and tables of
+        pyarrow the names of the columns tell x, y and `heights`, as those of a file do, in any order; without such names
+        they count as arrays.
         Or geometries: of shapely, a GeoDataFrame, GeoSeries or its array, GeoJSON as a dictionary, what has
         `__geo_interface__`, and lists and arrays of them; or a dictionary of `triangle`. These bring their edges,
         polygons and holes, and `heights` and `crs`. An array of doubles of which the rows follow each other in memory is
@@ -183,9 +185,10 @@ class Triangulation:
     edges : ndarray of int of shape (m, 2)
         The edges, those of polygons included.
     heights : ndarray of float of shape (n,), or None
-        The z of geometries, in their units, and the first of the ``vertex_attributes`` of a dictionary: for each point,
-        NaN where it has none; `None`, if no point has one. Equal points have the first that one of them has; where edges
-        were split, the height is that along the first edge.
+        The z of geometries, in their units; where points and lines have none, the column or property of their feature
+        that is called z, elevation or so; such a column of a frame; the first of the ``vertex_attributes`` of a
+        dictionary. For each point, NaN where it has none; `None`, if no point has one. Equal points have the first that
+        one of them has; where edges were split, the height is that along the first edge.
     crs : object or None
         The coordinate system of a GeoDataFrame or GeoSeries.
     simplices : ndarray of int32 of shape (t, 3)

@@ -16,8 +16,16 @@ use crate::measure::{doubled_area, exactly, squared_distance, zero};
 type Place = [BigRational; 2];
 
 impl<S: Exact> Voronoi<'_, S> {
+    /// The corners of a bounded cell, counter-clockwise. Vertices that round to one place are one; empty, if fewer than
+    /// three are left, as for a point that has no cell.
+    pub fn corners(&self, point: usize) -> Vec<[S; 2]> {
+        let own = self.cells.get(point).into_iter().flatten();
+        distinct(own.map(|&v| self.vertices[v].clone()).collect())
+    }
+
     /// The part of a point's cell inside a convex polygon, whose corners are given counter-clockwise: its corners, from
-    /// one of the polygon's where there is one. Empty, if they share no area.
+    /// one of the polygon's where there is one. Corners that round to one place are one. Empty, if they share no area, or
+    /// one that rounding takes.
     ///
     /// # Errors
     /// [`VoronoiError::NoPoint`], [`VoronoiError::NonFiniteCorner`].
@@ -35,7 +43,8 @@ impl<S: Exact> Voronoi<'_, S> {
     }
 
     /// The part of a point's cell inside any domain: polygons with holes, of which `inside` is the interior and `corners`
-    /// are the points. Rings without straight corners: the outer ones run counter-clockwise, holes clockwise.
+    /// are the points. Polygons, each an outline counter-clockwise and the holes in it clockwise, without straight corners;
+    /// corners that round to one place are one.
     ///
     /// Each call looks at every triangle of the domain.
     ///
@@ -50,9 +59,9 @@ impl<S: Exact> Voronoi<'_, S> {
     /// let corners = [[-1.0, 0.0], [3.0, 0.0], [3.0, 1.0], [1.0, 1.0], [1.0, 2.0], [-1.0, 2.0]];
     /// let edges = [[0, 1], [1, 2], [2, 3], [3, 4], [4, 5], [5, 0]];
     /// let l = sweep_cdt::triangulate(&corners, &edges)?;
-    /// let rings = voronoi.cell_inside(1, &l.interior(FillRule::EvenOdd)?, &corners)?;
-    /// assert_eq!(rings.len(), 1);
-    /// assert_eq!(rings[0], [[0.0, 0.0], [3.0, 0.0], [3.0, 1.0], [1.0, 1.0], [1.0, 2.0], [0.0, 2.0]]);
+    /// let polygons = voronoi.cell_inside(1, &l.interior(FillRule::EvenOdd)?, &corners)?;
+    /// assert_eq!([polygons.len(), polygons[0].len()], [1, 1]);
+    /// assert_eq!(polygons[0][0], [[0.0, 0.0], [3.0, 0.0], [3.0, 1.0], [1.0, 1.0], [1.0, 2.0], [0.0, 2.0]]);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
@@ -63,7 +72,7 @@ impl<S: Exact> Voronoi<'_, S> {
         point: usize,
         inside: &Interior<'_>,
         corners: &[[S; 2]],
-    ) -> Result<Vec<Vec<[S; 2]>>, VoronoiError> {
+    ) -> Result<Vec<Vec<Vec<[S; 2]>>>, VoronoiError> {
         let mut triangles = Vec::with_capacity(inside.inside().len());
         for corner in inside.triangles().flatten() {
             let place = corners
@@ -80,7 +89,10 @@ impl<S: Exact> Voronoi<'_, S> {
         let bounds = bounds.map(|[x, y]| [x.to_fraction(), y.to_fraction()]);
         let part = self.cut(point, bounds.to_vec())?;
         // A rounding that does not fall keeps what touches.
-        let part: Vec<[S; 2]> = rounded(&part);
+        let part: Vec<[S; 2]> = part
+            .iter()
+            .map(|place| place.each_ref().map(S::nearest))
+            .collect();
         let Some(part) = limits(&part.iter().collect::<Vec<_>>()) else {
             return Ok(Vec::new());
         };
@@ -96,7 +108,14 @@ impl<S: Exact> Voronoi<'_, S> {
                 pieces.push(self.cut(point, corners)?);
             }
         }
-        Ok(rings(&pieces).iter().map(|ring| rounded(ring)).collect())
+        let polygons = polygons(rings(&pieces)).into_iter().map(|rings| {
+            let rings = rings.iter().map(|ring| rounded(ring));
+            rings.filter(|ring| !ring.is_empty()).collect()
+        });
+        // Without its outline a polygon has no area.
+        Ok(polygons
+            .filter(|rings: &Vec<_>| !rings.is_empty())
+            .collect())
     }
 
     /// What the cell leaves of a convex polygon; nothing, if that has no area.
@@ -132,9 +151,57 @@ impl<S: Exact> Voronoi<'_, S> {
     }
 }
 
+/// A ring as nearest places: empty, if fewer than three differ.
 fn rounded<S: Exact>(places: &[Place]) -> Vec<[S; 2]> {
     let nearest = |place: &Place| place.each_ref().map(S::nearest);
-    places.iter().map(nearest).collect()
+    distinct(places.iter().map(nearest).collect())
+}
+
+/// A ring without a place twice in a row: empty, if fewer than three are left.
+fn distinct<S: Exact>(mut ring: Vec<[S; 2]>) -> Vec<[S; 2]> {
+    let is_same = |p: &[S; 2], q: &[S; 2]| (0..2).all(|k| p[k].compare(&q[k]).is_eq());
+    ring.dedup_by(|p, q| is_same(p, q));
+    while ring.len() > 1 && is_same(&ring[0], &ring[ring.len() - 1]) {
+        ring.pop();
+    }
+    if ring.len() < 3 {
+        ring.clear();
+    }
+    ring
+}
+
+/// Rings as polygons: outlines run counter-clockwise, and each is followed by the holes in it, which run clockwise.
+fn polygons(rings: Vec<Vec<Place>>) -> Vec<Vec<Vec<Place>>> {
+    let is_outline = |ring: &Vec<Place>| doubled_area(ring) > zero();
+    let (outlines, holes): (Vec<_>, Vec<_>) = rings.into_iter().partition(is_outline);
+    let mut polygons: Vec<Vec<Vec<Place>>> = outlines.into_iter().map(|ring| vec![ring]).collect();
+    for hole in holes {
+        let holds =
+            |polygon: &Vec<Vec<Place>>| hole.iter().any(|place| is_inside(&polygon[0], place));
+        // A hole whose corners all touch the outline is in the only one that is left.
+        let place = polygons.iter().position(holds).unwrap_or(0);
+        if let Some(polygon) = polygons.get_mut(place) {
+            polygon.push(hole);
+        }
+    }
+    polygons
+}
+
+/// Whether a place lies in a ring and not on it.
+fn is_inside(ring: &[Place], place: &Place) -> bool {
+    let mut crossed = 0;
+    for (i, a) in ring.iter().enumerate() {
+        let b = &ring[(i + 1) % ring.len()];
+        let [low, high] = if a[1] < b[1] { [a, b] } else { [b, a] };
+        if low[1] <= place[1] && place[1] < high[1] {
+            match doubled_area(&[low.clone(), high.clone(), place.clone()]).cmp(&zero()) {
+                Ordering::Greater => crossed += 1,
+                Ordering::Equal => return false,
+                Ordering::Less => {}
+            }
+        }
+    }
+    crossed % 2 == 1
 }
 
 /// The least and the greatest x, and so for y.

@@ -3,6 +3,20 @@
 //! A name is looked for in any case and without its unit: `Elev (m)` and `elev_m` are `elev`. A name without a unit is
 //! better than one with it, so that `x` beside `x_ft` is x.
 
+use crate::read::source::quoted;
+
+/// The names of x and y, in families: both are of the same one.
+const PLACES: [[&[&str]; 2]; 5] = [
+    [&["x"], &["y"]],
+    [
+        &["point_x", "x_coord", "xcoord", "coord_x"],
+        &["point_y", "y_coord", "ycoord", "coord_y"],
+    ],
+    [&["easting", "east"], &["northing", "north"]],
+    [&["longitude", "lon", "long", "lng"], &["latitude", "lat"]],
+    [&["e"], &["n"]],
+];
+
 /// The usual names of heights, the better ones first.
 pub(super) const HEIGHTS: [&str; 15] = [
     "z",
@@ -38,6 +52,85 @@ pub(super) fn rank(known: &[&str], name: &str) -> Option<(usize, bool)> {
     match place(plain) {
         Some(place) => Some((place, bracket.is_some())),
         None => without_unit().map(|place| (place, true)),
+    }
+}
+
+/// Columns that are known by their names.
+pub(super) struct Places {
+    pub(super) x: usize,
+    pub(super) y: usize,
+    /// The columns with the best name of a height.
+    pub(super) heights: Vec<usize>,
+}
+
+/// The columns by their names; nothing, if none are x and y.
+pub(super) fn places(names: &[String]) -> Result<Option<Places>, String> {
+    // The columns with the best of these names.
+    let places = |known: &[&str]| {
+        let ranks = names.iter().map(|name| rank(known, name));
+        let ranks: Vec<Option<(usize, bool)>> = ranks.collect();
+        let best = ranks.iter().flatten().min();
+        let is_best = |at: &usize| best.is_some() && ranks[*at].as_ref() == best;
+        (0..names.len()).filter(is_best).collect::<Vec<usize>>()
+    };
+    let mut pairs = PLACES.iter().map(|pair| pair.map(places));
+    let Some([x, y]) = pairs.find(|pair| pair.iter().all(|places| !places.is_empty())) else {
+        return Ok(None);
+    };
+    Ok(Some(Places {
+        x: only(&x, "x", names)?,
+        y: only(&y, "y", names)?,
+        heights: places(&HEIGHTS),
+    }))
+}
+
+/// The columns of x, y and perhaps the height by their names, as in the first row of a table; nothing, if none are x and y.
+///
+/// ```
+/// use sweep_cdt_formats::named_columns;
+///
+/// let names = ["id", "Northing", "Easting", "elev (m)"].map(str::to_owned);
+/// assert_eq!(named_columns(&names), Ok(Some(vec![2, 1, 3])));
+/// assert_eq!(named_columns(&names[..2]), Ok(None));
+/// ```
+///
+/// # Errors
+/// Two columns may both be one of them. The text names them.
+pub fn named_columns(names: &[String]) -> Result<Option<Vec<usize>>, String> {
+    let Some(Places { x, y, heights }) = places(names)? else {
+        return Ok(None);
+    };
+    let mut found = vec![x, y];
+    if !heights.is_empty() {
+        found.push(only(&heights, "the height", names)?);
+    }
+    Ok(Some(found))
+}
+
+/// The column with the best of the names of a height, the first of several; nothing, if none has one.
+///
+/// ```
+/// use sweep_cdt_formats::named_height;
+///
+/// let names = ["name", "alt", "ELEV_M"].map(str::to_owned);
+/// assert_eq!(named_height(&names), Some(2));
+/// ```
+pub fn named_height(names: &[String]) -> Option<usize> {
+    let ranks = names.iter().enumerate();
+    let ranks = ranks.filter_map(|(at, name)| Some((rank(&HEIGHTS, name)?, at)));
+    ranks.min().map(|(_, at)| at)
+}
+
+/// The only one of the columns that may be x, y or the height.
+pub(super) fn only(columns: &[usize], what: &str, names: &[String]) -> Result<usize, String> {
+    match columns {
+        [one, other, ..] => {
+            let [one, other] = [one, other].map(|&at| quoted(names[at].as_bytes()));
+            Err(format!(
+                "the columns {one} and {other} may both be {what}: rename one"
+            ))
+        }
+        _ => Ok(columns[0]),
     }
 }
 

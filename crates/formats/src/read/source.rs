@@ -51,8 +51,8 @@ impl Source {
         self
     }
 
-    /// Chooses the columns of points as text that are x, y and, if there are three, z: each by its name, or by its place
-    /// from 1 on. Other formats have none.
+    /// Chooses the columns of points as text that are x, y and, if there are three, z: each by its place from 1 on, or by
+    /// its name, which is no such number. Other formats have none.
     ///
     /// ```
     /// use sweep_cdt_formats::{Format, Input, Source, read};

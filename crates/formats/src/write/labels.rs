@@ -1,7 +1,11 @@
 //! What is said of triangles and of sides beside their corners: regions or features, and markers.
 
-use crate::GraphFile;
+use std::collections::HashMap;
+
+use sweep_cdt::Triangulation;
 use sweep_cdt::interior::Interior;
+
+use crate::GraphFile;
 
 /// A number for each triangle of a list.
 pub(super) struct Labels {
@@ -47,7 +51,7 @@ impl Labels {
     }
 }
 
-/// The markers of sides, lower vertices first: of several edges along a side the first with a marker counts. Nothing, if
+/// The markers of sides: of several edges along a side the first with a marker counts. Nothing, if
 /// no edge has one.
 pub(super) fn markers<S>(
     file: &GraphFile<S>,
@@ -57,19 +61,43 @@ pub(super) fn markers<S>(
     if file.edge_markers.is_empty() {
         return Vec::new();
     }
-    let mut markers = vec![0; sides.len()];
     let marked = file.edge_markers.iter().enumerate();
-    for (edge, &marker) in marked.filter(|(_, marker)| **marker != 0) {
-        let chain = interior.triangulation().edge_chain(edge);
+    let marked = marked
+        .filter(|(_, marker)| **marker != 0)
+        .map(|(edge, _)| edge);
+    let edges = edges_along(interior.triangulation(), marked, sides);
+    let marker = |edge: Option<usize>| edge.map_or(0, |edge| file.edge_markers[edge]);
+    edges.into_iter().map(marker).collect()
+}
+
+/// For each side, with its ends in any order, the first of these edges that runs along it.
+///
+/// ```
+/// use sweep_cdt_formats::edges_along;
+///
+/// let points = [[0.0, 0.0], [2.0, 0.0], [4.0, 0.0], [0.0, 3.0]];
+/// let result = sweep_cdt::triangulate(&points, &[[1, 2], [2, 0]])?;
+/// assert_eq!(edges_along(&result, 0..2, &[[0, 1], [2, 1], [0, 3]]), [Some(1), Some(0), None]);
+/// # Ok::<(), sweep_cdt::Error>(())
+/// ```
+pub fn edges_along(
+    result: &Triangulation,
+    edges: impl IntoIterator<Item = usize>,
+    sides: &[[usize; 2]],
+) -> Vec<Option<usize>> {
+    let sorted = |[a, b]: [usize; 2]| [a.min(b), a.max(b)];
+    let places = sides.iter().enumerate();
+    let places: HashMap<_, _> = places.map(|(place, &side)| (sorted(side), place)).collect();
+    let mut found = vec![None; sides.len()];
+    for edge in edges {
+        let chain = result.edge_chain(edge);
         for (a, b) in chain.clone().zip(chain.skip(1)) {
-            if let Ok(place) = sides.binary_search(&[a.min(b), a.max(b)])
-                && markers[place] == 0
-            {
-                markers[place] = marker;
+            if let Some(&place) = places.get(&sorted([a, b])) {
+                found[place].get_or_insert(edge);
             }
         }
     }
-    markers
+    found
 }
 
 /// For each triangle, if it is inside, its place in the canonical list of the domain, and which of its vertices comes

@@ -25,6 +25,7 @@ pub use cells::{Cell, Ridges, write_cells, write_ridges};
 pub use certificate::write_certificate;
 pub use crossings::write_crossings;
 pub use json::json_coordinate;
+pub use labels::edges_along;
 pub use lines::write_lines;
 pub use losses::not_written;
 pub use rows::write_node;

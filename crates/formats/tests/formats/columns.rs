@@ -68,6 +68,24 @@ fn names_in_any_order_and_places_choose_the_same() {
     }
 }
 
+/// The first row of a table without names may have the number of a column in it.
+#[test]
+fn a_place_is_no_number_of_the_first_row() {
+    let text = "0,0,1\n4,0,1\n0,4,2\n";
+    let points = |text: &str, columns: [&str; 2]| {
+        let source = Source::new("a", text).columns(columns);
+        file(&source).graph.points
+    };
+    assert_eq!(
+        points(text, ["1", "2"]),
+        [[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]]
+    );
+    assert_eq!(
+        points(text, ["3", "1"]),
+        [[1.0, 0.0], [1.0, 4.0], [2.0, 0.0]]
+    );
+}
+
 #[test]
 fn a_number_that_means_none_is_none() {
     for value in ["-9999", "-9999.0", "-9.999e3"] {

@@ -1,7 +1,7 @@
 //! Files that people reported to other projects, or that habit makes: each is read as it is meant, or refused by what it
 //! is. Beside each stands where it was asked for.
 
-use sweep_cdt_formats::{Format, GraphFile, Input, Matched, Source, read, read_result};
+use sweep_cdt_formats::{Format, GraphFile, Input, Matched, Remark, Source, read, read_result};
 
 #[track_caller]
 fn file(format: Format, text: &str) -> GraphFile<f64> {
@@ -148,4 +148,19 @@ fn what_is_not_read_is_named() {
         refusal(Format::Msh, first),
         "file:1: the version is 1, and only 2 and 4.1 are read: save it again with Gmsh"
     );
+}
+
+/// Found by the comparison with Python: a collection was counted once for each of its geometries.
+#[test]
+fn a_feature_of_several_geometries_is_raised_once() {
+    let parts =
+        r#"[{"type": "Point", "coordinates": [0, 0]}, {"type": "Point", "coordinates": [4, 0]}]"#;
+    let text = format!(
+        r#"{{"type": "Feature", "properties": {{"z": 7}},
+            "geometry": {{"type": "GeometryCollection", "geometries": {parts}}}}}"#
+    );
+    let file = file(Format::Geojson, &text);
+    assert_eq!(file.heights().expect("heights").values, [7.0, 7.0]);
+    let (name, count) = ("z".to_owned(), 1);
+    assert_eq!(file.remarks, [Remark::HeightProperty { name, count }]);
 }

@@ -96,6 +96,39 @@ fn clouds_are_read() {
     }
 }
 
+/// PDAL#3348 and laspy#222: scales from a kilometre down to a nanometre far from the origin, and a cloud without points.
+#[test]
+fn scales_of_all_sizes_are_read_and_clouds_without_points() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for (format, name) in [(Format::Las, "a.las"), (Format::Laz, "a.laz")] {
+        let path = folder.path().join(name);
+        for (scale, offset, count) in [(1000.0, -500.0, 9), (1e-9, 431_210.0, 9), (0.01, 0.0, 0)] {
+            let mut builder = Builder::from((1, 4));
+            builder.point_format.is_compressed = format == Format::Laz;
+            builder.transforms.x = Transform { scale, offset };
+            builder.transforms.y = builder.transforms.x;
+            let header = builder.into_header().expect("a header");
+            let mut writer = Writer::from_path(&path, header).expect("a file");
+            let mut points = Vec::new();
+            for at in 0..count {
+                let [x, y] = [at % 3, at * at].map(|raw| f64::from(raw) * scale + offset);
+                points.push([x, y]);
+                let point = Point {
+                    x,
+                    y,
+                    ..Point::default()
+                };
+                writer.write_point(point).expect("room");
+            }
+            writer.close().expect("room");
+            let mut input = open(&path, format, None).expect("a file");
+            let order = Sorting::new(3_000_000, folder.path()).sort(&mut *input);
+            let vertices = take(order.expect("no fault")).expect("no fault");
+            assert!(vertices == expected(&points, &[]).0, "{name}, {scale}");
+        }
+    }
+}
+
 /// libLAS#48 and entwine#35: headers that were never completed. A header of 1.2 has the number of points at 107, and
 /// the scales of x and y at 131 and 139.
 #[test]

@@ -243,10 +243,10 @@ pub(crate) fn read(source: &Source) -> Result<Shapes<'_>, ReadError> {
         }
     }
     raised.say(source, &mut shapes);
-    if shapes.system.is_none() {
-        let edges = shapes.wide_sides();
-        let wide = (edges > 0).then_some(Remark::HalfOfTheGlobe { edges });
-        wide.into_iter().for_each(|wide| shapes.remarks.add(wide));
+    if shapes.system.is_none()
+        && let Some(wide) = shapes.wide_sides()
+    {
+        shapes.remarks.add(wide);
     }
     Ok(shapes)
 }
@@ -285,6 +285,8 @@ struct Raised {
     /// The name of the property.
     name: Option<String>,
     count: usize,
+    /// The last of them. A feature may have several geometries.
+    last: usize,
 }
 
 impl Raised {
@@ -346,7 +348,8 @@ impl Raised {
         let text = height.piece.get().as_bytes();
         // What was asked for wins.
         if is_height && shapes.raise(first, text, height.is_asked) {
-            self.count += 1;
+            self.count += usize::from(shapes.features != self.last);
+            self.last = shapes.features;
         } else if !shapes.is_raised(first, text) {
             shapes
                 .remarks

@@ -13,7 +13,7 @@ use crate::read::content::{Corners, Edges, Labels, Syntax, Vertices};
 use crate::read::mesh::no_triangle;
 use crate::read::remarks::Remarks;
 use crate::read::source::{ReadError, Source};
-use crate::{CoordinateSystem, Polygons};
+use crate::{CoordinateSystem, Polygons, Remark};
 
 /// The contents of a file.
 pub(super) struct Shapes<'a> {
@@ -92,21 +92,15 @@ impl<'a> Shapes<'a> {
             .push((part, self.features, first..self.coordinates.len()));
     }
 
-    /// How many sides of lines and rings span more than 180 degrees, if all positions are longitudes and latitudes.
-    pub(super) fn wide_sides(&self) -> usize {
+    /// The remark on sides of lines and rings that span more than 180 degrees, if there are any.
+    pub(super) fn wide_sides(&self) -> Option<Remark> {
         let value = |piece| self.syntax.value::<f64>(piece).unwrap_or(f64::NAN);
         let places = self.coordinates.iter().map(|place| place.map(value));
         let places: Vec<[f64; 2]> = places.collect();
-        let is_on_globe = |[x, y]: &[f64; 2]| x.abs() <= 180.0 && y.abs() <= 90.0;
-        if !places.iter().all(is_on_globe) {
-            return 0;
-        }
         let parts = self.parts.iter();
         let parts = parts.filter(|(part, ..)| *part != Part::Points);
-        let sides = parts.flat_map(|(.., range)| places[range.clone()].windows(2));
-        sides
-            .filter(|side| (side[0][0] - side[1][0]).abs() > 180.0)
-            .count()
+        let sides = parts.flat_map(|(.., range)| range.clone().skip(1).map(|v| [v - 1, v]));
+        Remark::half_of_the_globe(&places, sides)
     }
 
     /// All positions as vertices, and the sides of lines and rings.

@@ -25,23 +25,11 @@ mod rows;
 use std::collections::HashMap;
 
 use crate::read::content::{Edges, Field, Syntax, Vertices};
-use crate::read::names::{HEIGHTS, rank};
+use crate::read::names::{Places, only, places};
 use crate::read::remarks::Remarks;
 use crate::read::source::{ReadError, ReadErrorKind, Source, quoted};
 use crate::read::text::rows::{Rows, Separator, text};
 use crate::{Column, CoordinateError, Remark};
-
-/// The names of x and y, in families: both are of the same one.
-const PLACES: [[&[&str]; 2]; 5] = [
-    [&["x"], &["y"]],
-    [
-        &["point_x", "x_coord", "xcoord", "coord_x"],
-        &["point_y", "y_coord", "ycoord", "coord_y"],
-    ],
-    [&["easting", "east"], &["northing", "north"]],
-    [&["longitude", "lon", "long", "lng"], &["latitude", "lat"]],
-    [&["e"], &["n"]],
-];
 
 /// The words for a number that is missing.
 const MISSING: [&[u8]; 6] = [b"nan", b"na", b"n/a", b"null", b"none", b"-"];
@@ -149,21 +137,8 @@ impl Header {
     /// The header that a row is, if it names x and y.
     fn of(fields: &[&[u8]]) -> Result<Option<Header>, String> {
         let names: Vec<String> = fields.iter().map(|name| text(name)).collect();
-        // The columns with the best of these names.
-        let places = |known: &[&str]| {
-            let ranks = names.iter().map(|name| rank(known, name));
-            let ranks: Vec<Option<(usize, bool)>> = ranks.collect();
-            let best = ranks.iter().flatten().min();
-            let is_best = |at: &usize| best.is_some() && ranks[*at].as_ref() == best;
-            (0..names.len()).filter(is_best).collect::<Vec<usize>>()
-        };
-        let mut pairs = PLACES.iter().map(|pair| pair.map(places));
-        let Some([x, y]) = pairs.find(|pair| pair.iter().all(|places| !places.is_empty())) else {
-            return Ok(None);
-        };
-        let [x, y] = [only(&x, "x", &names)?, only(&y, "y", &names)?];
-        let heights = places(&HEIGHTS);
-        Ok(Some(Header {
+        let found = places(&names)?;
+        Ok(found.map(|Places { x, y, heights }| Header {
             names,
             x,
             y,
@@ -223,7 +198,7 @@ impl Header {
         Ok(header)
     }
 
-    /// The header where columns are chosen, each by its name or place, and whether the first row has names.
+    /// The header where columns are chosen, each by its place or name, and whether the first row has names.
     fn chosen(
         chosen: &[String],
         fields: &[&[u8]],
@@ -236,7 +211,7 @@ impl Header {
                 let place: usize = name.parse().ok()?;
                 (1..=fields.len()).contains(&place).then(|| place - 1)
             };
-            let by_name = named(fields, name).or_else(|| named(comment, name));
+            let by_name = || named(fields, name).or_else(|| named(comment, name));
             let none = || {
                 let count = fields.len();
                 format!(
@@ -244,8 +219,9 @@ impl Header {
                     quoted(name.as_bytes())
                 )
             };
-            by_name
-                .or_else(by_place)
+            // A number of the first row is no name for a place.
+            by_place()
+                .or_else(by_name)
                 .filter(|&at| at < fields.len())
                 .ok_or_else(none)
         };
@@ -307,19 +283,6 @@ impl Header {
                 .into_iter()
                 .collect(),
         }
-    }
-}
-
-/// The only one of the columns that may be x, y or the height.
-fn only(columns: &[usize], what: &str, names: &[String]) -> Result<usize, String> {
-    match columns {
-        [one, other, ..] => {
-            let [one, other] = [one, other].map(|&at| quoted(names[at].as_bytes()));
-            Err(format!(
-                "the columns {one} and {other} may both be {what}: rename one"
-            ))
-        }
-        _ => Ok(columns[0]),
     }
 }
 
