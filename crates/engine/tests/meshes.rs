@@ -337,7 +337,10 @@ fn cells_of_doubles_tile_what_they_are_cut_to() {
             for ring in found.iter().flat_map(|cell| cell.polygons.iter().flatten()) {
                 let ends = ring.iter().zip(ring.iter().cycle().skip(1));
                 assert!(
-                    ring.len() > 2 && ends.clone().all(|(p, q)| p != q),
+                    ring.len() > 2
+                        && ends
+                            .clone()
+                            .all(|(p, q)| p.map(f64::to_bits) != q.map(f64::to_bits)),
                     "{given:?}: {ring:?}"
                 );
                 sum += ends.map(|(p, q)| p[0] * q[1] - p[1] * q[0]).sum::<f64>();
