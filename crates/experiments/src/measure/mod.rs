@@ -12,7 +12,7 @@ use std::path::PathBuf;
 use std::thread::available_parallelism;
 
 use sweep_cdt_generate::Kind;
-use sweep_cdt_testing::{Input, data};
+use sweep_cdt_testing::{Input, Random, data};
 
 pub(crate) use row::{Row, Turn, median};
 pub(crate) use triangle::TRIANGLE;
@@ -72,7 +72,7 @@ impl Cell {
         }
     }
 
-    /// Runs all variants once, in turn, to count, and as often as asked for in turn for the time.
+    /// Runs all variants once, to count, and as often as asked for in a random order for the time.
     ///
     /// # Errors
     /// If a variant cannot triangulate the input, or two differ in the result.
@@ -90,8 +90,10 @@ impl Cell {
         }
         let processor = processor();
         for turn in 0..repetitions {
-            // Each variant comes first in some turn.
-            for i in (0..variants.len()).map(|i| (i + turn) % variants.len()) {
+            // In another order each time: what ran before leaves caches and memory behind.
+            let mut order: Vec<usize> = (0..variants.len()).collect();
+            Random::new(self.seed << 32 | turn as u64).shuffle(&mut order);
+            for i in order {
                 let row = &mut rows[i];
                 if !row.is_left_out {
                     row.turns.push(Turn {

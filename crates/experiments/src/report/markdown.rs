@@ -28,8 +28,8 @@ pub(super) fn head(method: &Method<'_>, rows: &[Row]) -> String {
         "No time was measured.".to_owned()
     } else {
         format!(
-            "Then all variants of a cell run in turn, {repetitions} times; a \
-             different one comes first each time. Times are medians over these turns of the processor's time, where \
+            "Then all variants of a cell run in turn, {repetitions} times, each \
+             time in another order. Times are medians over these turns of the processor's time, where \
              the system tells it; those of the phases are times on the clock. The counters of the crate are on then, \
              and those of all structures but the crate's own.\n\
              - Spread: in half of the rows the slowest turn took at most {:.0} % more than the fastest, in nine of \
