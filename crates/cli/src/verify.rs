@@ -11,7 +11,9 @@ use sweep_cdt::scalar::Scalar;
 use sweep_cdt::triangulate;
 use sweep_cdt::verify::Level;
 use sweep_cdt_draw::ViolationsPicture;
-use sweep_cdt_engine::{Input as Asked, Inside, OUT_OF_BOUNDS, Question, Verdict, headline};
+use sweep_cdt_engine::{
+    Input as Asked, Inside, OUT_OF_BOUNDS, Question, Verdict, headline, nothing_free,
+};
 use sweep_cdt_formats::{
     Coordinate, GraphFile, Input, Matching, ResultError, WayOut, added_points, write_certificate,
     write_violations,
@@ -27,7 +29,7 @@ use crate::shared::arithmetic::{Given, Job, ScalarArgs};
 use crate::shared::bounds::BoundsArgs;
 use crate::shared::earlier::Earlier;
 use crate::shared::failure::{Failure, way_out};
-use crate::shared::files::{FileArgument, ReadingArgs};
+use crate::shared::files::{FileArgument, FilesRead, ReadingArgs};
 use crate::shared::inside::{default_of, expect_suits};
 use crate::shared::outputs::{Destination, Outputs, refuse_read, refuse_twice};
 use crate::shared::places::located_interior;
@@ -295,6 +297,7 @@ impl Verify {
         let own = self.with_added(&mut input, &files)?;
         let run = Run {
             arguments: self,
+            read: &read,
             result: files,
             own,
             of_input: &of_input,
@@ -333,6 +336,7 @@ impl Verify {
 /// A run with files that are read.
 struct Run<'a> {
     arguments: &'a Verify,
+    read: &'a FilesRead,
     result: ResultFiles,
     /// How many points are the input's own; the others were added.
     own: usize,
@@ -382,6 +386,10 @@ impl Job for Run<'_> {
         };
         let answer = question.answer();
         let answer = answer.map_err(|error| given.failure(located_interior(file, error)))?;
+        let result = arguments.result.result.as_ref();
+        let result = result.map_or(String::new(), FileArgument::input_name);
+        self.read
+            .say(&result, nothing_free(&answer, arguments.level).as_slice())?;
         let bounds = arguments.bounds.given().map(|bounds| {
             let points = &file.graph.points;
             Bounded::new(bounds, points, &triangles, arguments.limit)
@@ -403,8 +411,6 @@ impl Job for Run<'_> {
             triangles: &triangles,
             bounds: bounds.as_ref(),
         };
-        let result = arguments.result.result.as_ref();
-        let result = result.map_or(String::new(), FileArgument::input_name);
         let advice = (!arguments.json).then(|| match unbounded {
             Verdict::Wrong => advice(&given, &question, &answer),
             _ if !violators.is_empty() => OUT_OF_BOUNDS.to_owned(),

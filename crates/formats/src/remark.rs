@@ -127,6 +127,18 @@ pub enum Remark {
         /// The reason, in words.
         reason: String,
     },
+    /// Greatest areas of regions count for nothing: the rule for what is inside has no regions.
+    UnusedAreas {
+        /// How many there are.
+        areas: usize,
+        /// The name of the rule.
+        rule: String,
+    },
+    /// Every side between two triangles is an edge, so that none had to be Delaunay.
+    NothingFree {
+        /// How many such sides there are.
+        sides: usize,
+    },
     /// Equal points share a cell.
     SharedCells {
         /// How many are equal to a point before them.
@@ -210,6 +222,8 @@ impl Remark {
             Remark::OffTerrain { .. } => "off-terrain",
             Remark::CoveredTwice { .. } => "covered-twice",
             Remark::Unrefined { .. } => "unrefined",
+            Remark::UnusedAreas { .. } => "unused-areas",
+            Remark::NothingFree { .. } => "nothing-free",
             Remark::SharedCells { .. } => "shared-cells",
             Remark::NoTriangles(_) => "no-triangles",
             Remark::NothingInside { .. } => "nothing-inside",
@@ -244,6 +258,8 @@ impl Remark {
                 | Remark::NotWritten { .. }
                 | Remark::Promise { .. }
                 | Remark::Unrefined { .. }
+                | Remark::UnusedAreas { .. }
+                | Remark::NothingFree { .. }
         )
     }
 
@@ -252,6 +268,7 @@ impl Remark {
         match self {
             Remark::Faces { .. } => Some(("faces", "takes them for polygons")),
             Remark::Columns { .. } => Some(("columns", "names others")),
+            Remark::UnusedAreas { .. } => Some(("inside", "holes has regions")),
             Remark::NothingInside {
                 has_holes: true, ..
             } => Some(("inside", "hull-without-holes keeps all but the holes")),
@@ -343,6 +360,16 @@ impl Remark {
             Remark::Unrefined { triangles, reason } => {
                 let of = of(*triangles, "triangle breaks", "triangles break");
                 format!("{of} a bound still: {reason}")
+            }
+            Remark::UnusedAreas { areas, rule } => {
+                let of = of(*areas, "area of a region is", "areas of regions are");
+                format!("{of} not used: the rule {rule} has no regions")
+            }
+            Remark::NothingFree { sides } => {
+                let of = of(*sides, "side", "sides");
+                format!(
+                    "of {of} between two triangles each is an edge: nothing was asked of Delaunay"
+                )
             }
             Remark::SharedCells { points } => {
                 let [one, many] = [

@@ -26,13 +26,14 @@ def as_input(given: Any, edges: Any = None, polygons: Any = None, holes: Any = N
         raise Error("edges and polygons go with points; put all shapes in one list of geometries")
     regions: Any = None
     attributes: Sequence[float] = ()
+    areas: Sequence[float] = ()
     heights = markers = None
     if isinstance(given, dict):
         if "vertices" not in given:
             raise KindError("a dictionary has no 'vertices', as of `triangle`, and is no GeoJSON")
         edges = given.get("segments") if edges is None else edges
         holes = given.get("holes") if holes is None else holes
-        regions, attributes = _regions(given.get("regions"))
+        regions, attributes, areas = _regions(given.get("regions"))
         heights, markers = given.get("vertex_attributes"), given.get("segment_markers")
         given = given["vertices"]
     places, z = by_names(given)
@@ -45,7 +46,16 @@ def as_input(given: Any, edges: Any = None, polygons: Any = None, holes: Any = N
     edges = as_edges(edges)
     if markers is not None:
         markers = _markers(markers, len(edges))
-    whole = Input(points, edges, holes=holes, regions=regions, attributes=attributes, heights=heights, markers=markers)
+    whole = Input(
+        points,
+        edges,
+        holes=holes,
+        regions=regions,
+        attributes=attributes,
+        areas=areas,
+        heights=heights,
+        markers=markers,
+    )
     return whole if polygons is None else _with_polygons(whole, polygons)
 
 
@@ -65,14 +75,17 @@ def _markers(given: Any, count: int) -> np.ndarray:
     return rows.reshape(count).astype(np.int64)
 
 
-def _regions(given: Any) -> tuple[Any, Sequence[float]]:
-    """The seeds of regions and their attributes, as `triangle` has them: x, y, attribute, greatest area."""
+def _regions(given: Any) -> tuple[Any, Sequence[float], Sequence[float]]:
+    """The seeds of regions, their attributes and areas, as `triangle` has them: x, y, attribute, greatest area, which is
+    none where it is not above 0."""
     if given is None or not len(_listed(given, "regions")):
-        return None, ()
+        return None, (), ()
     rows = as_values(as_array(given, "regions"), None, "regions")
     if rows.ndim != 2 or rows.shape[1] < 3:
         raise ShapeError(f"regions has the shape {rows.shape}, not (k, 4)", shape=rows.shape)
-    return rows[:, :2], rows[:, 2].tolist()
+    areas = rows[:, 3] if rows.shape[1] > 3 else np.zeros(0)
+    has_area = areas > 0
+    return rows[:, :2], rows[:, 2].tolist(), np.where(has_area, areas, np.inf).tolist() if has_area.any() else ()
 
 
 def _with_polygons(given: Input, polygons: Any) -> Input:

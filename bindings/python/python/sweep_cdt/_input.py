@@ -177,6 +177,7 @@ class Input:
         holes: Any = None,
         regions: Any = None,
         attributes: Sequence[float] = (),
+        areas: Sequence[float] = (),
         features: Sequence[int] | None = None,
         heights: np.ndarray | None = None,
         markers: np.ndarray | None = None,
@@ -192,8 +193,9 @@ class Input:
         self.ring_of = ring_of if self.rings else None
         self.holes = _seeds(holes, "holes")
         self.regions = _seeds(regions, "regions")
-        # The attribute of each region.
+        # The attribute of each region, and its greatest area.
         self.attributes = list(attributes)
+        self.areas = list(areas)
         # The feature of each polygon, if a feature may have several.
         self.features = features
         # The height of each point, if any has one; and the coordinate system.
