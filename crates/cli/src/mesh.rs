@@ -47,8 +47,8 @@ impl Mesh<'_> {
         let bounds = self.bounds.ok_or_else(|| {
             let name = self.input.input_name();
             Failure::Usage(format!(
-                "RESULT is missing: of a mesh by itself only --min-angle, --max-area and --max-side are asked; `sweep-cdt \
-                 verify {name} {name}` asks whether it is a Delaunay triangulation of its points"
+                "RESULT is missing: of a mesh by itself only --min-angle, --max-area and --max-side are asked; \
+                 `sweep-cdt verify {name} {name}` asks whether it is a Delaunay triangulation of its points"
             ))
         })?;
         let mut prints = Vec::new();

@@ -256,24 +256,17 @@ impl Verify {
             );
         }
         self.sort.refuse_without("--stream")?;
-        let svg = self.svg.clone().map(Destination::of_path).transpose()?;
-        let record = self.record.clone().map(Destination::of_path);
-        let record = record.transpose()?;
-        let geojson = self.geojson.clone().map(Destination::of_path).transpose()?;
-        let certificate = self.write_certificate.clone().map(Destination::of_path);
-        let certificate = certificate.transpose()?;
+        let of = |path: &Option<PathBuf>| path.clone().map(Destination::of_path).transpose();
+        let (svg, geojson) = (of(&self.svg)?, of(&self.geojson)?);
+        let (record, certificate) = (of(&self.record)?, of(&self.write_certificate)?);
         if certificate.is_some() && self.level < Level::Delaunay {
             let message =
                 "--write-certificate is for constrained Delaunay triangulations: leave out --level";
             return Err(Failure::Usage(message.to_owned()));
         }
         let standard = Destination::standard();
-        let written = || {
-            svg.iter()
-                .chain(&record)
-                .chain(&geojson)
-                .chain(&certificate)
-        };
+        let outputs = [&svg, &record, &geojson, &certificate];
+        let written = || outputs.into_iter().flatten();
         refuse_twice([&standard].into_iter().chain(written()))?;
         if let Some(threads) = self.threads {
             limit_threads(threads);
@@ -485,11 +478,11 @@ impl Job for Run<'_> {
 
 /// Reads a difference.
 fn difference(text: &str) -> Result<f64, String> {
-    let value: f64 = text.parse().map_err(|_| "not a number".to_owned())?;
-    let is_difference = value.is_finite() && value >= 0.0;
-    is_difference
-        .then_some(value)
-        .ok_or_else(|| "not a finite number from 0 on".to_owned())
+    match text.parse::<f64>() {
+        Ok(value) if value.is_finite() && value >= 0.0 => Ok(value),
+        Ok(_) => Err("not a finite number from 0 on".to_owned()),
+        Err(_) => Err("not a number".to_owned()),
+    }
 }
 
 /// The failure of a result that is not read, with what helps.

@@ -187,7 +187,8 @@ fn columns<S: Coordinate>(
     file.columns.iter().map(column).collect()
 }
 
-/// The bounds of a refinement: those that were asked for, or a least angle of 20 degrees where nothing bounds triangles.
+/// The bounds of a refinement: those that were asked for, or a least angle of 20 degrees where nothing bounds
+/// triangles.
 pub fn bounds_or_default(given: Bounds, has_areas: bool) -> Bounds {
     let has_none = given == Bounds::default() && !has_areas;
     Bounds {
