@@ -153,6 +153,11 @@ def test_an_area_by_place():
     assert area[x < 7].max() <= 0.01 and area.max() > 0.02
 
 
+def test_great_angles_need_a_limit_of_points():
+    with pytest.raises(sweep_cdt.Error, match="pass max_points"):
+        sweep_cdt.triangulate(PLATE).refine(36)
+
+
 def test_functions_of_the_user_may_end_the_call():
     seen = []
     mesh = sweep_cdt.triangulate(PLATE).refine(30, 0.05, progress=lambda *counts: seen.append(counts))

@@ -257,7 +257,8 @@ def test_a_mesh_by_itself_is_judged_by_its_bounds():
     mesh = sweep_cdt.triangulate([], polygons=plate).refine(28)
     back = types.SimpleNamespace(points=mesh.points, cells_dict={"triangle": mesh.triangles})
     report = sweep_cdt.verify(back, min_angle=20)
-    assert report and report.headline == f"correct: this is a mesh of {len(mesh.triangles)} triangles, within the bounds"
+    is_mesh = f"correct: this is a mesh of {len(mesh.triangles)} triangles"
+    assert report and report.headline == f"{is_mesh}, within the bounds"
     assert report.reached is None and not report.is_canonical and report.advice == "correct: nothing to do"
     report = sweep_cdt.verify(back, max_area=0.01)
     assert not report and set(report.violations["name"]) == {"large-area"} and "only bounds are broken" in report.advice

@@ -44,7 +44,8 @@ def as_points(given: Any, name: str = "points", missing: bool = False) -> Any:
         return given
     given, _ = by_names(listed(given))
     if isinstance(given, (str, bytes)) or not (isinstance(given, Iterable) or hasattr(given, "__array__")):
-        raise KindError(f"{name} is no array but {_kind(given)}")
+        hint = ": read a file with pandas or geopandas first" if isinstance(given, str) else ""
+        raise KindError(f"{name} is no array but {_kind(given)}{hint}")
     array = as_array(given, name, missing)
     if array.size == 0 and array.ndim == 1:
         return np.empty((0, 2))

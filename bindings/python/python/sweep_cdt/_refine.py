@@ -141,6 +141,6 @@ def _areas(self: Triangulation, areas: np.ndarray) -> list[tuple[int, float]]:
     count = 1 + max(numbers, default=-1)
     most = max(count, *(1 + of.max(initial=-1) for of in given.feature_of or ()), 0)
     if areas.ndim != 1 or not count <= len(areas) <= most:
-        message = f"region_areas has the shape {areas.shape}: it is a number for each region, of which there are {count}"
-        raise ShapeError(message, shape=areas.shape)
+        wanted = f"it is a number for each region, of which there are {count}"
+        raise ShapeError(f"region_areas has the shape {areas.shape}: {wanted}", shape=areas.shape)
     return [(number, areas[number]) for number in sorted(set(numbers)) if not np.isnan(areas[number])]

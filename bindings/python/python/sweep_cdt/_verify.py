@@ -91,10 +91,10 @@ def verify(
     result_or_points
         A result alone: of this package, a `scipy.spatial.Delaunay`, a `matplotlib.tri.Triangulation`, what
         `triangle.triangulate` returns, a `meshio.Mesh`, a `pyvista.PolyData`, or triangles of shapely. The result is
-        judged by its own points, and by its own edges where it has some. With bounds, and nothing else that is asked, it
-        is judged by these alone, as the command judges a file by itself, but a result of this package and a dictionary of
-        `triangle`, which tell their domain. Or the points that the result was made of,
-        or an object that says more, all as of `triangulate`.
+        judged by its own points, and by its own edges where it has some. With bounds, and nothing else that is asked,
+        it is judged by these alone, as the command judges a file by itself, but a result of this package and a
+        dictionary of `triangle`, which tell their domain. Or the points that the result was made of, or an object that
+        says more, all as of `triangulate`.
     simplices : array_like of int of shape (t, 3) or (3 t,), or a result, optional
         The corners of the triangles, from 0; or any of the results above, whose vertices are then matched with the
         points: exactly and in any order, or rounded to single precision or to as many significant digits as they have.
