@@ -7,7 +7,8 @@ use std::process::Output;
 use tempfile::TempDir;
 
 use crate::{
-    CONTOURS, FORMATS, feed, folder, names, printed, printed_despite_losses, run, sweep_cdt, text,
+    CONTOURS, FORMATS, assert_fails, feed, folder, names, printed, printed_despite_losses, run,
+    sweep_cdt, text,
 };
 
 /// A square with a vertex inside, numbered from 1, and its bottom given as an edge.
@@ -33,6 +34,30 @@ pub(crate) fn refuted(output: &Output) -> &str {
     assert_eq!(text(&output.stderr), "");
     assert_eq!(output.status.code(), Some(1));
     text(&output.stdout)
+}
+
+/// Where the faces of a mesh are its edges, no side can break a rule of Delaunay.
+#[test]
+fn nothing_is_asked_of_delaunay_where_all_sides_are_edges() {
+    let bad = "v 0 0\nv 4 0\nv 5 3\nv 0 3\nf 1 2 3\nf 1 3 4\n";
+    let folder = folder(&[("bad.obj", bad)]);
+    let asked = verify(&folder, "bad.obj bad.obj");
+    assert_eq!(asked.status.code(), Some(1));
+    let with_faces = verify(&folder, "bad.obj bad.obj --faces");
+    let remark = "of 1 side between two triangles each is an edge: nothing was asked of Delaunay";
+    assert_eq!(
+        text(&with_faces.stderr),
+        format!("note: bad.obj: {remark}\n")
+    );
+    let refused = verify(&folder, "bad.obj bad.obj --faces --strict");
+    assert_fails(
+        &refused,
+        &format!("bad.obj: {remark}; --strict refuses that"),
+    );
+    printed(&verify(
+        &folder,
+        "bad.obj bad.obj --faces --strict --level constrained",
+    ));
 }
 
 #[track_caller]
