@@ -267,7 +267,6 @@ impl Remark {
                 | Remark::Promise { .. }
                 | Remark::Unrefined { .. }
                 | Remark::UnusedAreas { .. }
-                | Remark::NothingFree { .. }
         )
     }
 
