@@ -7,8 +7,7 @@ use std::process::Output;
 use tempfile::TempDir;
 
 use crate::{
-    CONTOURS, FORMATS, assert_fails, feed, folder, names, printed, printed_despite_losses, run,
-    sweep_cdt, text,
+    CONTOURS, FORMATS, feed, folder, names, printed, printed_despite_losses, run, sweep_cdt, text,
 };
 
 /// A square with a vertex inside, numbered from 1, and its bottom given as an edge.
