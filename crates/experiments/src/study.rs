@@ -87,7 +87,8 @@ pub(crate) fn write_all(folder: &Path) -> Result<()> {
                 growths.extend(growths_of(experiment.name, view, &rows));
             }
             let is_shown = match view.shape {
-                Shape::Ratios | Shape::Angles => true,
+                Shape::Angles => true,
+                Shape::Ratios => [FRONTS.name, HOLD_OUT.name].contains(&experiment.name),
                 Shape::Growth => experiment.name == SCALING.name && view.name == "work",
                 _ => false,
             };

@@ -128,7 +128,7 @@ fn timed(run: impl FnOnce() -> Result<Stats>) -> Result<Turn> {
     let (clock, start) = (Instant::now(), processor());
     let stats = run()?;
     let taken = processor().zip(start).map(|(end, start)| end - start);
-    let ms = |time: Duration| 1e3 * time.as_secs_f64();
+    let ms = |time: Duration| (1e7 * time.as_secs_f64()).round() / 1e4;
     Ok(Turn {
         initialization_ms: ms(stats.initialization),
         sweeping_ms: ms(stats.sweeping),
