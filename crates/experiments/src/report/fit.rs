@@ -1,7 +1,5 @@
 //! Growth as a power of the number of points: the line of least squares through the logarithms.
 
-use super::table::Entry;
-
 /// `factor * n^exponent`, and how far the farthest number is from it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Fit {
@@ -42,23 +40,9 @@ impl Fit {
     }
 }
 
-/// The exponent of numbers over points. What never rises above one is constant: a hundredth of a step more or less is no
-/// growth.
-pub(super) fn exponent(entries: impl Iterator<Item = (f64, Entry)>) -> Entry {
-    let mut at = Vec::new();
-    for (points, entry) in entries {
-        match entry {
-            Entry::Number(x) => at.push([points, x.max(1.0)]),
-            Entry::Unknown | Entry::Ratio(_) => return Entry::Unknown,
-            Entry::LeftOut => {}
-        }
-    }
-    Fit::of(&at).map_or(Entry::Unknown, |fit| Entry::Number(fit.exponent))
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{Entry, Fit, exponent};
+    use super::Fit;
 
     #[test]
     fn powers_are_found_without_a_residual() {
@@ -72,16 +56,7 @@ mod tests {
             {
                 assert!((found - expected).abs() < 1e-9, "{fit:?}");
             }
-            let Entry::Number(found) = exponent(at.map(|[n, x]| (n, Entry::Number(x))).into_iter())
-            else {
-                panic!("three sizes are enough");
-            };
-            assert!((found - f64::from(power)).abs() < 1e-9);
         }
-        assert_eq!(
-            exponent([(10.0, Entry::Number(1.0))].into_iter()),
-            Entry::Unknown
-        );
     }
 
     #[test]

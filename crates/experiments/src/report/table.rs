@@ -1,6 +1,6 @@
 //! Tables: a number for each variant and kind of data, or variant and size.
 
-use super::fit::exponent;
+use super::fit::Fit;
 use super::ratio::Ratio;
 use super::view::{Shape, View, size as short_size};
 use crate::measure::{Row, median};
@@ -147,4 +147,39 @@ pub(crate) fn distinct<T: PartialEq>(all: impl Iterator<Item = T>) -> Vec<T> {
         }
     }
     kept
+}
+
+/// The exponent of numbers over points. What never rises above one is constant: a hundredth of a step more or less is no
+/// growth.
+fn exponent(entries: impl Iterator<Item = (f64, Entry)>) -> Entry {
+    let mut at = Vec::new();
+    for (points, entry) in entries {
+        match entry {
+            Entry::Number(x) => at.push([points, x.max(1.0)]),
+            Entry::Unknown | Entry::Ratio(_) => return Entry::Unknown,
+            Entry::LeftOut => {}
+        }
+    }
+    Fit::of(&at).map_or(Entry::Unknown, |fit| Entry::Number(fit.exponent))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Entry, exponent};
+
+    #[test]
+    fn exponents_of_what_is_counted() {
+        let grown = |power: i32| {
+            let sizes = [10.0_f64, 100.0, 1000.0].map(|n| (n, Entry::Number(3.0 * n.powi(power))));
+            match exponent(sizes.into_iter().chain([(1e4, Entry::LeftOut)])) {
+                Entry::Number(found) => found,
+                other => panic!("{other:?}"),
+            }
+        };
+        for power in [0, 1, 2] {
+            assert!((grown(power) - f64::from(power)).abs() < 1e-9);
+        }
+        let one = exponent([(10.0, Entry::Number(1.0))].into_iter());
+        assert_eq!(one, Entry::Unknown);
+    }
 }
