@@ -27,7 +27,8 @@ impl Intervals for ByRank {
 
     fn of(&self, x: f64, count: usize, work: &mut Work) -> usize {
         let rank = self.0.last_up_to(x, work);
-        rank.unwrap_or(0) * count / self.0.len()
+        // Without points there are no ranks, and one interval.
+        rank.unwrap_or(0) * count / self.0.len().max(1)
     }
 
     fn joined(&mut self, node: FrontNode) {

@@ -198,6 +198,17 @@ fn assert_same_steps(Input { points, edges }: &Input, heuristics: Heuristics, fr
 }
 
 #[test]
+fn a_structure_without_points_names_an_end() {
+    for contestant in standard() {
+        let mut structure = contestant.front().clone();
+        structure.begin(FrontInput::new(&[]));
+        let front = Front::new(0);
+        let found = structure.locate(0.5, &front);
+        assert!(front.contains(found), "{}", contestant.name());
+    }
+}
+
+#[test]
 fn on_inputs_that_broke_other_programs() {
     let own = Hard::own();
     assert!(own.len() > 100, "there are hard inputs");
