@@ -1,4 +1,4 @@
-//! Notes the compiler's version for the reports.
+//! Notes the compiler's version and the target for the reports.
 
 use std::process::Command;
 
@@ -7,5 +7,9 @@ fn main() {
     let output = Command::new(compiler).arg("--version").output();
     let version = output.map(|output| String::from_utf8_lossy(&output.stdout).trim().to_owned());
     println!("cargo::rustc-env=COMPILER={}", version.unwrap_or_default());
+    println!(
+        "cargo::rustc-env=TARGET={}",
+        std::env::var("TARGET").expect("Cargo names it")
+    );
     println!("cargo::rerun-if-changed=build.rs");
 }

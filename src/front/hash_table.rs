@@ -5,7 +5,9 @@
 //! Cost: O(1) expected for a search. There are sqrt(n) intervals, about as many as the front has vertices if points are
 //! spread evenly, and a single one for a few points. If points swept one after another crowd in some intervals, as
 //! those of clusters do, there are up to eight times as many. If the sample of the points is badly skewed, as by a
-//! dense cluster in a wide domain, the intervals end at quantiles of the sample, and finding one takes O(log n).
+//! dense cluster in a wide domain, the intervals end at quantiles of the sample, and finding one takes O(log n). At worst
+//! the sweep walks over O(n) nodes in every search: where nodes have left the intervals around, and the one inserted last
+//! is far (`towers` of `sweep-cdt-generate`), or where the points know the sample. The sweep's budget bounds such walks.
 //!
 //! A front may be far longer than sqrt(n): that of a row, or of edges that hang down from one vertex. So the table
 //! grows: when the front has more than eight nodes for each equal interval, each interval is cut into four, which

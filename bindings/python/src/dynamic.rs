@@ -3,11 +3,13 @@
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use num_rational::BigRational;
+use numpy::ndarray::ArrayView2;
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
+use sweep_cdt::crossings::Exact;
 use sweep_cdt_edit::{DynamicTriangulation, EditError, Edits};
 
-use crate::calls::call;
+use crate::calls::{Watch, call};
 use crate::crossings::Kind;
 use crate::errors::{Fault, refused};
 use crate::input::{Points, View, rows};
@@ -80,16 +82,20 @@ impl Dynamic {
         }
     }
 
-    /// Makes all edits at once, or none.
+    /// Makes all edits at once, or none. `sides` are edges between the new points, by their positions: they go first.
     fn edit<'py>(
         &self,
         py: Python<'py>,
         points: Points<'_>,
+        sides: PyReadonlyArray2<'_, usize>,
         edges: PyReadonlyArray2<'_, usize>,
         remove_points: Vec<usize>,
         remove_edges: Vec<usize>,
     ) -> PyResult<Changed<'py>> {
-        let edges = rows(&edges)?.to_vec();
+        let mut state = self.lock(py);
+        let [next, _] = with_state!(&*state, |state| state.next_numbers());
+        let sides = rows(&sides)?.iter().map(|side| side.map(|v| v + next));
+        let edges: Vec<[usize; 2]> = sides.chain(rows(&edges)?.iter().copied()).collect();
         let view = points.view()?;
         let size = view.len() + edges.len() + remove_points.len() + remove_edges.len();
         let rest = Edits {
@@ -98,7 +104,7 @@ impl Dynamic {
             remove_points,
             remove_edges,
         };
-        let change = match (&mut *self.lock(py), view) {
+        let change = match (&mut *state, view) {
             (State::Doubles(state), View::Doubles(points)) => {
                 call(py, size, 1, |_| Ok(state.apply(with_points(points, rest))?))
             }
@@ -198,6 +204,47 @@ impl Dynamic {
             (State::Exact(state), View::Exact([place])) => weighted(py, state, place),
             _ => Err(differ()),
         }
+    }
+
+    /// For each place and each column of values, which are by the numbers of points, the sum over natural neighbours;
+    /// NaN where there are none.
+    fn interpolate<'py>(
+        &self,
+        py: Python<'py>,
+        values: PyReadonlyArray2<'_, f64>,
+        places: Points<'_>,
+    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        fn sums<S: Exact>(
+            state: &DynamicTriangulation<S>,
+            values: ArrayView2<'_, f64>,
+            places: &[[S; 2]],
+            watch: &Watch,
+        ) -> Result<Vec<f64>, Fault> {
+            let mut found = Vec::with_capacity(places.len() * values.ncols());
+            for place in places {
+                watch.look();
+                let weights = state.natural_neighbors(place)?;
+                found.extend(values.columns().into_iter().map(|column| {
+                    let weighted = weights
+                        .iter()
+                        .map(|(v, weight)| weight.approx() * column[*v]);
+                    weighted.reduce(|sum, part| sum + part).unwrap_or(f64::NAN)
+                }));
+            }
+            Ok(found)
+        }
+        let view = places.view()?;
+        let values = values.as_array();
+        let found = match (&*self.lock(py), view) {
+            (State::Doubles(state), View::Doubles(places)) => call(py, usize::MAX, 1, |watch| {
+                sums(state, values, places, watch)
+            }),
+            (State::Exact(state), View::Exact(places)) => call(py, usize::MAX, 1, |watch| {
+                sums(state, values, places, watch)
+            }),
+            _ => Err(differ()),
+        }?;
+        Ok(found.into_pyarray(py))
     }
 }
 

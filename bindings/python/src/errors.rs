@@ -196,6 +196,9 @@ impl Fault {
             Fault::Interior(error) => error.to_string(),
             Fault::Split(error) => error.to_string(),
             Fault::Edit(error) => error.to_string(),
+            Fault::Refine(RefineError::Endless) => {
+                format!("{}: pass max_points", RefineError::Endless)
+            }
             Fault::Refine(error) => error.to_string(),
             Fault::Voronoi(error) => error.to_string(),
         };

@@ -154,6 +154,10 @@ pub(crate) struct Input<'py> {
     regions: Points<'py>,
     /// The attribute of each region, if they have attributes.
     attributes: Vec<f64>,
+    /// The greatest area of each region, if they have any; infinite where one has none.
+    areas: Vec<f64>,
+    /// The feature of each polygon, if a feature may have several.
+    features: Option<Vec<usize>>,
     /// The height of each point, NaN where it is missing.
     heights: Option<PyReadonlyArray1<'py, f64>>,
 }
@@ -167,6 +171,9 @@ pub(crate) struct Graph<'a, S> {
     pub(crate) ring_of: Vec<Option<usize>>,
     pub(crate) holes: &'a [[S; 2]],
     pub(crate) regions: Vec<Region<S>>,
+    pub(crate) areas: &'a [f64],
+    /// The feature of each polygon, or its own number.
+    pub(crate) features: Vec<usize>,
 }
 
 /// A borrowed input in one of the two arithmetics.
@@ -246,7 +253,10 @@ impl Input<'_> {
         let attributes = self.attributes.iter().copied().chain(iter::repeat(0.0));
         let regions = regions.iter().cloned().zip(attributes);
         let regions = regions.map(|(seed, attribute)| Region { seed, attribute });
+        let own = || (0..self.rings.iter().map(|ring| ring.0 + 1).max().unwrap_or(0)).collect();
         Ok(Graph {
+            areas: &self.areas,
+            features: self.features.clone().unwrap_or_else(own),
             points,
             edges: rows(&self.edges)?,
             rings: rings.map(ring).collect(),

@@ -5,14 +5,15 @@ use pyo3::prelude::*;
 use sweep_cdt::crossings::Exact;
 use sweep_cdt::interior::Interior;
 use sweep_cdt_edit::{Bounds, Broken, Refinement};
-use sweep_cdt_engine::{Inside, RefinedFile};
+use sweep_cdt_engine::{Inside, RefinedFile, bounds_or_default, region_areas};
 use sweep_cdt_formats::Coordinate;
 
 use crate::calls::{Watch, call};
 use crate::crossings::Kind;
+use crate::errors::Fault;
 use crate::input::{Graph, Input, with_graph};
 use crate::remarks::{Remarks, as_file};
-use crate::rule::named;
+use crate::rule::{named, unknown};
 use crate::triangulation::{Core, table};
 
 /// How a mesh is refined.
@@ -20,7 +21,8 @@ use crate::triangulation::{Core, table};
 #[pyo3(from_item_all)]
 pub(crate) struct How {
     bounds: Limits,
-    region_areas: Vec<f64>,
+    /// The greatest area of regions or features, by their numbers.
+    region_areas: Vec<(usize, f64)>,
     /// The greatest area at a place: a function of x and y.
     area_at: Option<Py<PyAny>>,
     most_points: Option<usize>,
@@ -97,10 +99,17 @@ fn refined<'py, S: Kind + Coordinate>(
     how: &How,
     heights: Option<&[f64]>,
 ) -> PyResult<Mesh<'py>> {
+    let mut file = as_file(graph, heights);
+    file.polygons.features.clone_from(&graph.features);
+    file.graph.regions.clone_from(&graph.regions);
+    file.region_areas = graph.areas.to_vec();
+    let inside = rule.interior(&graph.asked(), &core.result);
+    let inside = inside.map_err(|error| Fault::from(error).raise(py))?;
+    let areas = region_areas(&file, rule, &inside, &how.region_areas);
+    let (areas, unused) = areas.map_err(unknown)?;
+    let has_areas = how.area_at.is_some() || areas.iter().any(|area| area.is_finite());
+    let bounds = bounds_or_default(how.bounds.bounds(), has_areas);
     let (mesh, seeds) = call(py, usize::MAX, 1, |watch| {
-        let asked = graph.asked();
-        let inside = rule.interior(&asked, &core.result)?;
-        let file = as_file(graph, heights);
         let area_at = |[x, y]: [f64; 2]| {
             let area = how.area_at.as_ref();
             area.map_or(f64::INFINITY, |area| {
@@ -113,8 +122,8 @@ fn refined<'py, S: Kind + Coordinate>(
                 asked_of(watch, |py| progress.call1(py, (points, waiting)).map(drop));
             }
         };
-        let mut refinement = Refinement::new(how.bounds.bounds())
-            .region_areas(&how.region_areas)
+        let mut refinement = Refinement::new(bounds)
+            .region_areas(&areas)
             .progress(&progress);
         if how.area_at.is_some() {
             refinement = refinement.area_at(&area_at);
@@ -133,7 +142,8 @@ fn refined<'py, S: Kind + Coordinate>(
         let corners = mesh.triangles[left.triangle];
         (corners, name(left.bound), left.reason.to_string())
     });
-    let (left, remarks) = (left.collect(), Remarks(mesh.remarks()));
+    let remarks = unused.into_iter().chain(mesh.remarks());
+    let (left, remarks) = (left.collect(), Remarks(remarks.collect()));
     let mut file = mesh.file;
     let heights = file.columns.pop().map(|column| column.values);
     Ok((

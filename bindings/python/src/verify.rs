@@ -3,17 +3,18 @@
 use numpy::PyReadonlyArray2;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use sweep_cdt::verify::{Depth, Depths, Level, Verifier, Violations};
+use sweep_cdt::verify::{Depth, Depths, Level, Report, Verifier, Violations};
 use sweep_cdt_edit::Bounds;
 use sweep_cdt_engine::{
     Advice, Answer, Inside, OUT_OF_BOUNDS, Setting, UnknownName, Verdict, Words, counts, headline,
-    violators, with_bounds,
+    nothing_free, of_mesh, violators, with_bounds,
 };
 use sweep_cdt_formats::Numbering;
 
 use crate::calls::call;
 use crate::input::{Input, rows, with_graph};
 use crate::refine::Limits;
+use crate::remarks::Remarks;
 use crate::rule::{named, unknown};
 use crate::triangulation::plain;
 
@@ -29,6 +30,10 @@ pub(crate) struct Question {
     limit: usize,
     /// The attribute of each triangle, if the input has regions with attributes.
     attributes: Option<Vec<f64>>,
+    /// Whether the input is what the triangles tell.
+    is_alone: bool,
+    /// Whether nothing but the bounds is asked.
+    only_bounds: bool,
     threads: usize,
     bounds: Limits,
 }
@@ -83,9 +88,12 @@ pub(crate) fn verify<'py>(
     triangles: PyReadonlyArray2<'_, usize>,
     question: Question,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let bounds = question.bounds.bounds();
+    let (bounds, only_bounds) = (question.bounds.bounds(), question.only_bounds);
     let (answer, unbounded, broken) = with_question!(py, input, triangles, question, |question| {
-        let answer = question.answer()?;
+        let answer = match only_bounds {
+            true => Ok(counted(question.points.len(), question.triangles.len())),
+            false => question.answer()?,
+        };
         let verdict = question.verdict(&answer);
         let broken = violators(&bounds, question.points, question.triangles)?;
         Ok((answer, verdict, broken))
@@ -95,8 +103,12 @@ pub(crate) fn verify<'py>(
         Inside::HULL => "the points".to_owned(),
         rule => format!("the interior ({rule})"),
     };
-    let mut headline = headline(&answer, level, question.max_depth, ["this", &input]);
     let corners: &[[usize; 3]] = rows(&triangles)?;
+    let mut headline = match only_bounds {
+        true => of_mesh("this", corners.len()),
+        false => headline(&answer, level, question.max_depth, ["this", &input]),
+    };
+    let remarks = nothing_free(&answer, level).filter(|_| !only_bounds);
     if bounds != Bounds::default() {
         headline = with_bounds(&headline, sweep_cdt_engine::broken(&broken), corners.len());
     }
@@ -112,7 +124,18 @@ pub(crate) fn verify<'py>(
     })?;
     described.set_item("unbounded", unbounded.name())?;
     described.set_item("headline", headline)?;
+    described.set_item("remarks", Remarks(remarks.into_iter().collect()))?;
+    if only_bounds {
+        described.set_item("is_canonical", false)?;
+    }
     Ok(described)
+}
+
+/// The report on a mesh of which nothing but bounds is asked.
+fn counted(points: usize, triangles: usize) -> Report {
+    let mut report = Report::default();
+    (report.points, report.triangles) = (points, triangles);
+    report
 }
 
 /// What to do, in words, after triangles have got a verdict, and may run clockwise.
@@ -129,6 +152,7 @@ pub(crate) fn advise(
     if verdict == Verdict::Wrong.name() && unbounded != verdict {
         return Ok(OUT_OF_BOUNDS.to_owned());
     }
+    let is_alone = question.is_alone;
     let sentence = with_question!(py, input, triangles, question, |question| {
         let advice = if verdict == Verdict::Correct.name() {
             Advice::Correct { clockwise }
@@ -142,6 +166,7 @@ pub(crate) fn advise(
             max_depth: "max_depth",
             settings: &arguments,
             refused: &|error| error.to_string(),
+            beside_input: is_alone.then_some("verify(input, mesh, steiner=True)"),
             show: "report.plot() shows",
         };
         Ok(question.sentence(advice, &words))

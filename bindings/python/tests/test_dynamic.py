@@ -159,3 +159,62 @@ def test_natural_neighbours_weigh_planes_exactly():
     edited.insert(edges=[[0, 1]])
     with pytest.raises(sweep_cdt.Error, match="there is edge 0"):
         edited.natural_neighbors([1, 1])
+
+
+def test_what_is_inside_follows_polygons_that_come_and_go():
+    shapely = pytest.importorskip("shapely")
+    box = shapely.box
+    plate = box(0, 0, 9, 6) - box(1, 1, 2, 2)
+    room = sweep_cdt.DynamicTriangulation(plate)
+    assert (room.triangulation().rule, room.triangulation().area) == ("polygons", 53)
+    place = box(3, 1, 5, 2)
+    old = room.insert(place)
+    for place in (box(3, 3, 5, 5), box(6, 1, 8, 5) - box(7, 2, 7.5, 3)):
+        old = room.edit(points=place, remove_points=old.points, remove_edges=old.edges)
+        result = room.triangulation()
+        area = lambda number: sum(
+            shapely.Polygon(result.points[corners]).area
+            for corners in result.simplices[result.inside & (result.region == number)]
+        )
+        assert result.area == 53 and result.depth.max() == 2 and area(0) == 53
+        free = room.triangulation(inside="even-odd")
+        assert free.area == (plate - place).area and room.triangulation("hull").area == 54
+    inner = sweep_cdt.DynamicTriangulation([], None)
+    inner.insert([[20, 20]])
+    mixed = inner.insert(place, [[0, 0]])
+    assert mixed.edges.tolist() == list(range(9)) and inner.ends[8].tolist() == [0, 0]
+    assert inner.triangulation().area == place.area
+    room.remove(edges=old.edges[:1])
+    with pytest.raises(sweep_cdt.OpenRingError):
+        room.triangulation()
+    room.remove(edges=room.edges)
+    assert room.triangulation().rule == "hull" and len({hash(old), hash(place)}) == 2
+    first = int(room.points[0])
+    assert room.places(first).tolist() == room.places([first])[0].tolist()
+    assert room.remove(points=first).points.size == 0 and first not in room.points
+    seeds = {"vertices": CORNERS, "segments": WALLS, "holes": [[1, 1]]}
+    assert sweep_cdt.DynamicTriangulation(seeds).triangulation().rule == "holes"
+    with pytest.raises(sweep_cdt.KindError, match="holes"):
+        room.insert(seeds)
+
+
+@pytest.mark.parametrize("kind", [float, Fraction])
+def test_interpolation_adds_up_the_weights(kind):
+    random = np.random.default_rng(5)
+    points = [[kind(int(x)), kind(int(y))] for x, y in random.integers(0, 30, (40, 2))]
+    hill = sweep_cdt.DynamicTriangulation([*points, [kind(-1), kind(-1)]])
+    hill.remove(points=[40])
+    values = random.random((41, 2))
+    places = random.integers(0, 30, (6, 5, 2))
+    with pytest.warns(sweep_cdt.RemarkWarning, match="have no height"):
+        found = hill.interpolate(values, [*places.tolist(), [[np.nan, 0]] * 5])
+    assert found.shape == (7, 5, 2) and np.isnan(found[6]).all()
+    for place, value in zip(places.reshape(-1, 2), found[:6].reshape(-1, 2)):
+        numbers, weights = hill.natural_neighbors(place)
+        expected = weights.astype(float) @ values[numbers] if len(numbers) else [np.nan] * 2
+        assert np.allclose(value, expected, rtol=1e-12, equal_nan=True)
+    assert 0 < np.isnan(found[:6]).sum() < 60
+    with pytest.raises(sweep_cdt.ShapeError, match="numbers below 40"):
+        hill.interpolate(values[:39], [[1, 1]])
+    with pytest.raises(sweep_cdt.Error, match="edge"):
+        sweep_cdt.DynamicTriangulation(CORNERS, WALLS).interpolate([0] * 4, [[1, 1]])

@@ -19,7 +19,7 @@ POINTS = [[0, 0], [1, 0], [1, 1], [0, 1]]
         ([1, 2, 3], sweep_cdt.ShapeError, r"the shape \(3,\)", {"shape": (3,)}),
         (np.zeros((2, 3)), sweep_cdt.ShapeError, r"pass points\[:, :2\]", {"shape": (2, 3)}),
         (np.zeros((2, 2, 2)), sweep_cdt.ShapeError, r"\(2, 2, 2\)", {"shape": (2, 2, 2)}),
-        ("ab", sweep_cdt.KindError, "is no array but of the type str", {}),
+        ("ab.csv", sweep_cdt.KindError, "is no array but of the type str: read a file with pandas", {}),
         (None, sweep_cdt.KindError, "NoneType", {}),
         (7, sweep_cdt.KindError, "int", {}),
         ([["a", "b"]], sweep_cdt.KindError, "no type of coordinates", {}),
@@ -88,6 +88,11 @@ def test_interiors():
         sweep_cdt.triangulate(POINTS, polygons=[[[0, 1, 9]]])
     with pytest.raises(sweep_cdt.ShapeError, match="-3"):
         sweep_cdt.triangulate(POINTS, polygons=[[[0, 1, -3]]])
+
+
+def test_kinds_are_named_by_the_package():
+    for kind in (sweep_cdt.Error, sweep_cdt.ShapeError, sweep_cdt.InternalError):
+        assert kind.__module__ == "sweep_cdt"
 
 
 def test_kinds_suit_what_else_catches_them():

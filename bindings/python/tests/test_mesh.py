@@ -81,18 +81,46 @@ def test_parts_are_those_of_their_edges():
         assert np.array_equal(getattr(again, name), getattr(twice, name)), name
 
 
+def _areas(mesh):
+    corners = mesh.points[mesh.triangles]
+    (ux, uy), (vx, vy) = (corners[:, 1] - corners[:, 0]).T, (corners[:, 2] - corners[:, 0]).T
+    return (ux * vy - uy * vx) / 2
+
+
 def test_regions_keep_their_numbers_though_a_vertex_takes_the_place_of_a_seed():
     mesh = sweep_cdt.triangulate(PARTS).refine(max_side=1, region_areas=[np.nan, 0.125])
     x = mesh.points[mesh.triangles].mean(axis=1)[:, 0]
     region = mesh.region[mesh.inside]
     assert ((x > 4) == (region == 1)).all() and set(region) == {0, 1}
-    corners = mesh.points[mesh.triangles]
-    (ux, uy), (vx, vy) = (corners[:, 1] - corners[:, 0]).T, (corners[:, 2] - corners[:, 0]).T
-    area = (ux * vy - uy * vx) / 2
+    area = _areas(mesh)
     assert area[region == 1].max() <= 0.125 < area[region == 0].max() and abs(area.sum() - 31) < 1e-12
     crossed = {**PARTS, "segments": [*PARTS["segments"], [2, 4]], "segment_markers": None}
     split = sweep_cdt.triangulate({**crossed, "regions": [[6, 1, 20, 0]]}, split_crossings=True).refine(25, 0.1)
     assert len(split.left) == 0 and len(split.boundary()) == 2 and sweep_cdt.verify(split)
+
+
+def test_areas_of_a_dictionary_count_as_those_of_a_file():
+    plate = {"vertices": PARTS["vertices"][:6], "segments": PARTS["segments"][:7]}
+    plate["regions"] = [[3, 3, 10, 0], [6, 2, 20, 0.125]]
+    mesh = sweep_cdt.triangulate(plate, inside="holes").refine()
+    areas, region = _areas(mesh), mesh.region[mesh.inside]
+    assert areas[region == 1].max() <= 0.125 < 1 < areas[region == 0].max()
+    coarse = sweep_cdt.triangulate(plate, inside="holes").refine(region_areas=[np.nan, 2])
+    assert 0.125 < _areas(coarse)[coarse.region[coarse.inside] == 1].max() <= 2
+    with pytest.warns(sweep_cdt.RemarkWarning, match="1 area of a region is not used: the rule hull has no regions"):
+        mesh = sweep_cdt.triangulate(plate).refine()
+    assert mesh.remarks[0].numbers == {"areas": 1, "rule": "hull"}
+    with pytest.raises(sweep_cdt.RemarkError):
+        sweep_cdt.triangulate(plate).refine(30, strict=True)
+    for wrong in ([1], [1, 1, 1], [[1, 1]]):
+        with pytest.raises(sweep_cdt.ShapeError, match="a number for each region, of which there are 2"):
+            sweep_cdt.triangulate(plate, inside="holes").refine(region_areas=wrong)
+
+
+def test_the_least_angle_is_20_where_there_is_no_bound():
+    mesh = sweep_cdt.triangulate(PLATE, RING, inside="even-odd").refine()
+    assert mesh.points.tolist() == sweep_cdt.triangulate(PLATE, RING, inside="even-odd").refine(20).points.tolist()
+    assert not sweep_cdt.verify(sweep_cdt.triangulate(PLATE, RING), min_angle=20) and len(mesh.points) > 4
 
 
 def test_features_have_areas_of_their_own():
@@ -121,10 +149,13 @@ def test_heights_of_new_vertices_are_linear():
 
 def test_an_area_by_place():
     fine = sweep_cdt.triangulate(PLATE).refine(max_area=lambda x, y: 0.01 if x < 7 else np.inf)
-    corners = fine.points[fine.triangles]
-    (ux, uy), (vx, vy) = (corners[:, 1] - corners[:, 0]).T, (corners[:, 2] - corners[:, 0]).T
-    area, x = (ux * vy - uy * vx) / 2, corners.mean(axis=1)[:, 0]
+    area, x = _areas(fine), fine.points[fine.triangles].mean(axis=1)[:, 0]
     assert area[x < 7].max() <= 0.01 and area.max() > 0.02
+
+
+def test_great_angles_need_a_limit_of_points():
+    with pytest.raises(sweep_cdt.Error, match="pass max_points"):
+        sweep_cdt.triangulate(PLATE).refine(36)
 
 
 def test_functions_of_the_user_may_end_the_call():

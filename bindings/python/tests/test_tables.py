@@ -63,6 +63,49 @@ def test_names_tell_the_columns(table):
         assert places.tolist() == plain.find_simplex(plain.points).tolist()
 
 
+@pytest.mark.parametrize(
+    ("names", "message"),
+    [
+        (["number", "height"], "there is `height` but no `x` and no `y`"),
+        (["number", "easting"], "there is `easting` but no `northing`"),
+    ],
+)
+def test_half_a_pair_of_names_is_refused(names, message):
+    hill = sweep_cdt.triangulate([[0, 0], [4, 0], [0, 4]])
+    for frame in frames({name: [1, 2, 3] for name in names}):
+        for call in (sweep_cdt.triangulate, hill.find_simplex, lambda frame: hill.interpolate([1, 2, 3], frame)):
+            with pytest.raises(sweep_cdt.Error, match=message):
+                call(frame)
+
+
+def test_heights_are_asked_for_by_their_name():
+    columns = {"x": [0, 4, 0], "z": [1, 1, 1], "y": [0, 0, 4], "level": [7, 8, 9]}
+    for frame in frames(columns):
+        assert sweep_cdt.triangulate(frame, height_property="level").heights.tolist() == [7, 8, 9]
+        with pytest.warns(sweep_cdt.RemarkWarning, match="no property or column with heights is called `depth`"):
+            assert sweep_cdt.triangulate(frame, height_property="depth").heights is None
+    with pytest.warns(sweep_cdt.RemarkWarning, match="is called `level`"):
+        sweep_cdt.triangulate([[0, 0], [4, 0], [0, 4]], height_property="level")
+    shapely = pytest.importorskip("shapely")
+    shapes = [shapely.Point(0, 0, 5), shapely.box(1, 1, 2, 2), shapely.Point(3, 0)]
+    collection = {"type": "FeatureCollection", "features": [
+        {"type": "Feature", "properties": {"level": level, "z": 1}, "geometry": shape.__geo_interface__}
+        for shape, level in zip(shapes, [7, 8, 9])
+    ]}  # fmt: skip
+    given = [collection, [collection]]
+    try:
+        import geopandas
+
+        given.append(geopandas.GeoDataFrame({"level": [7, 8, 9], "z": [1, 1, 1]}, geometry=shapes))
+    except ImportError:
+        pass
+    for shape in given:
+        with pytest.warns(sweep_cdt.RemarkWarning, match="heights are the property `level` of 3 features"):
+            found = sweep_cdt.triangulate(shape, height_property="level")
+        heights = dict(zip(map(tuple, found.points.tolist()), found.heights.tolist()))
+        assert heights == {(0, 0): 7, (3, 0): 9, **{(x, y): 8 for x in (1, 2) for y in (1, 2)}}
+
+
 @shared
 @given(table=tables())
 def test_the_command_reads_the_same(command, tmp_path, table):

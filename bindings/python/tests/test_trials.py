@@ -50,7 +50,8 @@ def test_contour_lines_to_a_tin_and_heights_of_wells(command, tmp_path, monkeypa
     )
     _, said = told(command, tmp_path, "heights", "contours.geojson", "--at", "wells.geojson", "-o", "heights.geojson")
     assert all(str(remark) in said for remark in tin.remarks)
-    theirs = json.loads((tmp_path / "heights.geojson").read_text())["geometries"][0]["coordinates"]
+    features = json.loads((tmp_path / "heights.geojson").read_text())["features"]
+    theirs = [feature["geometry"]["coordinates"] for feature in features]
     assert [place[2] for place in theirs[:2]] == wells.height.tolist()[:2] and len(theirs[2]) == 2
     told(command, tmp_path, "triangulate", "contours.geojson", "-o", "theirs.geojson")
     theirs = geopandas.read_file("theirs.geojson")

@@ -1,6 +1,7 @@
 """`verify`: of arrays, of results by coordinates, and its report."""
 
 import re
+import types
 from fractions import Fraction
 
 import numpy as np
@@ -248,6 +249,31 @@ def test_added_vertices():
     assert report and report.counts["added_points"] == 1 and report.counts["split_edges"] == 1
     with pytest.raises(sweep_cdt.MatchError):
         sweep_cdt.verify(points, result, [[0, 2]])
+
+
+def test_a_mesh_by_itself_is_judged_by_its_bounds():
+    l = [[0, 0], [4, 0], [4, 2], [2, 2], [2, 4], [0, 4]]
+    plate = [[l, [[0.5, 0.5], [1, 0.5], [1, 1]]]]
+    mesh = sweep_cdt.triangulate([], polygons=plate).refine(28)
+    back = types.SimpleNamespace(points=mesh.points, cells_dict={"triangle": mesh.triangles})
+    report = sweep_cdt.verify(back, min_angle=20)
+    is_mesh = f"correct: this is a mesh of {len(mesh.triangles)} triangles"
+    assert report and report.headline == f"{is_mesh}, within the bounds"
+    assert report.reached is None and not report.is_canonical and report.advice == "correct: nothing to do"
+    report = sweep_cdt.verify(back, max_area=0.01)
+    assert not report and set(report.violations["name"]) == {"large-area"} and "only bounds are broken" in report.advice
+    report = sweep_cdt.verify(back)
+    assert not report and "with those of its input verify(input, mesh, steiner=True) judges it" in report.advice
+    assert sweep_cdt.verify([], back, polygons=plate, steiner=True, max_depth=1e-12)
+    assert not sweep_cdt.verify(back, min_angle=20, domain="hull")
+
+
+def test_nothing_is_asked_of_delaunay_where_all_sides_are_edges():
+    points, triangles = [[0, 0], [4, 0], [5, 3], [0, 3]], [[0, 1, 2], [0, 2, 3]]
+    with pytest.warns(sweep_cdt.RemarkWarning, match="of 1 side between two triangles each is an edge"):
+        assert sweep_cdt.verify(points, triangles, [[0, 2]])
+    sweep_cdt.verify(points, triangles, [[0, 2]], level="constrained", strict=True)
+    sweep_cdt.verify(points[:3], triangles[:1], [[0, 2]], strict=True)
 
 
 def test_attributes_of_regions():

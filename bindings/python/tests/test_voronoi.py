@@ -78,6 +78,17 @@ def test_fractions_stay_fractions():
     assert sweep_cdt.triangulate([[0, 0], [third, 0], [0, third]]).voronoi().vertices.tolist() == [[third / 2] * 2]
 
 
+def test_what_has_no_diagram_of_its_own():
+    with pytest.raises(sweep_cdt.KindError, match=r"triangulate\(points\).voronoi\(\)"):
+        sweep_cdt.Voronoi([[0, 0], [1, 0]])
+    shapely = pytest.importorskip("shapely")
+    shops = sweep_cdt.triangulate([[0, 0], [8, 0], [8, 6]]).voronoi()
+    ring = shapely.LinearRing([(0, 0), (9, 0), (9, 9)])
+    with pytest.raises(sweep_cdt.KindError, match=r"pass shapely.Polygon\(ring\)"):
+        shops.cells(ring)
+    assert shops.cells(shapely.Polygon(ring))[1].area > 0
+
+
 def test_what_has_no_diagram():
     kite = [[0, 0], [4, -1], [8, 0], [4, 1]]
     with pytest.raises(sweep_cdt.NotDelaunayError) as caught:

@@ -24,6 +24,7 @@ pub(crate) fn advice<S: Coordinate, T: Scalar>(
         max_depth: "--max-depth",
         settings: &options,
         refused: &refused,
+        beside_input: None,
         show: "`--svg wrong.svg` and `--geojson wrong.geojson` show",
     };
     question.sentence(question.advice(answer), &words)

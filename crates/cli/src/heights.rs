@@ -33,6 +33,10 @@ pub(crate) struct Heights {
     #[arg(long, value_name = "FORMAT", value_parser = format_parser(Format::INPUTS))]
     at_format: Option<Format>,
 
+    /// The columns of the points that are x, y and perhaps z, as --columns names those of the terrain
+    #[arg(long, value_name = "X,Y[,Z]", value_delimiter = ',')]
+    at_columns: Vec<String>,
+
     /// File to write, in any format that `generate` writes; `-` for standard output
     #[arg(short, long, value_name = "OUTPUT", default_value = "-")]
     output: FileArgument,
@@ -64,7 +68,7 @@ Examples:
 impl Heights {
     /// Runs the subcommand.
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        let points = InputArgs::new(self.at.clone(), self.at_format).format_option("--at-format");
+        let points = InputArgs::new(self.at.clone(), self.at_format).options("--at-");
         let same = points.format()?;
         let format = format_of_output(
             &self.output,
@@ -74,6 +78,7 @@ impl Heights {
         let destination = Destination::of(&self.output)?;
         let mut files = self.terrain.files();
         let terrain = self.terrain.read(&mut files)?;
+        files.columns.clone_from(&self.at_columns);
         let points_read = points.read(&mut files, |_| ())?;
         refuse_read(&files, [&destination])?;
         let name = points.name();

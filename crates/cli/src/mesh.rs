@@ -5,7 +5,7 @@ use std::io::Write;
 
 use serde::Serialize;
 use sweep_cdt_edit::Bounds;
-use sweep_cdt_engine::Verdict;
+use sweep_cdt_engine::{Verdict, of_mesh};
 use sweep_cdt_formats::{Coordinate, GraphFile, Input, Matching, ResultError, added_points};
 
 use crate::bounded::{self, Bounded};
@@ -45,10 +45,11 @@ impl Mesh<'_> {
         refused: impl Fn(&ResultError) -> Failure,
     ) -> Result<(), Failure> {
         let bounds = self.bounds.ok_or_else(|| {
-            let options = "--min-angle, --max-area and --max-side";
-            let message =
-                format!("RESULT is missing: of a mesh by itself only {options} are asked");
-            Failure::Usage(message)
+            let name = self.input.input_name();
+            Failure::Usage(format!(
+                "RESULT is missing: of a mesh by itself only --min-angle, --max-area and --max-side are asked; \
+                 `sweep-cdt verify {name} {name}` asks whether it is a Delaunay triangulation of its points"
+            ))
         })?;
         let mut prints = Vec::new();
         let files = self.result.load(self.input, &mut read, |source| {
@@ -101,8 +102,7 @@ impl Mesh<'_> {
                 serde_json::to_writer_pretty(&mut *out, &document)?;
                 return writeln!(out);
             }
-            let headline = format!("correct: {} is a mesh of {count} triangles", name);
-            writeln!(out, "{}", bounded.headline(&headline))?;
+            writeln!(out, "{}", bounded.headline(&of_mesh(&name, count)))?;
             bounded.write(out)
         })?;
         match verdict {

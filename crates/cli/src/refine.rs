@@ -5,8 +5,10 @@ use std::io::{self, Write};
 
 use sweep_cdt::interior::Interior;
 use sweep_cdt::scalar::Scalar;
-use sweep_cdt_edit::{Bounds, Left, RefineError, Refinement};
-use sweep_cdt_engine::{RefinedFile, region_areas, size, size_in_words, without_heights};
+use sweep_cdt_edit::{Left, RefineError, Refinement};
+use sweep_cdt_engine::{
+    RefinedFile, bounds_or_default, region_areas, size, size_in_words, without_heights,
+};
 use sweep_cdt_formats::{Coordinate, GraphFile};
 
 use crate::shared::arguments::{OutputArgs, Target, add, completed, has_standard, say_losses};
@@ -60,9 +62,10 @@ pub(crate) struct Refine {
 
 const AFTER_HELP: &str = "\
 Bounds:
-  Without any, --min-angle is 20. A mesh for a least angle of up to 20.7 degrees is proved to end, if
-  no edges meet at less than 60 degrees; in practice 33 degrees end, too. Above 34 degrees --max-points must be given. The
-  areas of the regions of a .poly, .json or .npz count, too (fourth number of a region).
+  Without any, --min-angle is 20. A mesh for a least angle of up to 20.7 degrees is proved to end, if no
+  edges meet at less than 60 degrees; in practice 33 degrees end, too. Above 34 degrees --max-points must
+  be given. The areas of the regions of a .poly, .json or .npz count, too (fourth number of a region), and
+  are a reason for --inside holes, as holes are.
   A triangle in or at a sharp corner of the input can be impossible to better. What breaks a bound
   still is listed with the reason; --strict refuses it.
 
@@ -104,15 +107,6 @@ impl Refine {
         };
         self.scalar.apply(&name, &input, run)
     }
-
-    fn bounds<S>(&self, file: &GraphFile<S>) -> Bounds {
-        let has_areas = !self.region_area.is_empty() || !file.region_areas.is_empty();
-        let default = Bounds {
-            least_angle: (!has_areas).then_some(20.0),
-            ..Bounds::default()
-        };
-        self.bounds.given().unwrap_or(default)
-    }
 }
 
 /// A run with an input that is read.
@@ -142,11 +136,20 @@ impl Run<'_> {
     ) -> Result<(), Failure> {
         let arguments = self.arguments;
         let failure = |error: &dyn std::fmt::Display| Failure::Error(format!("{name}: {error}"));
-        let areas = region_areas(file, domain, &arguments.region_area);
-        let areas = areas.map_err(|error| failure(&error))?;
+        let rule = arguments.terrain.rule(file);
+        let areas = region_areas(file, rule, domain, &arguments.region_area);
+        let (areas, unused) = areas.map_err(|error| {
+            let way_out = match domain.has_regions() || file.graph.regions.is_empty() {
+                true => String::new(),
+                false => format!("; the rule is {rule}: --inside holes has regions"),
+            };
+            failure(&format!("{error}{way_out}"))
+        })?;
+        self.read.say(name, unused.as_slice())?;
         let progress = RefCell::new(Progress::new("refining"));
         let show = |points, waiting| progress.borrow_mut().show(points, points + waiting);
-        let bounds = arguments.bounds(file);
+        let bounds = arguments.bounds.given().unwrap_or_default();
+        let bounds = bounds_or_default(bounds, areas.iter().any(|area| area.is_finite()));
         let how = Refinement::new(bounds).region_areas(&areas).progress(&show);
         let how = match arguments.max_points {
             Some(most) => how.most_points(most),

@@ -11,7 +11,9 @@ use sweep_cdt::scalar::Scalar;
 use sweep_cdt::triangulate;
 use sweep_cdt::verify::Level;
 use sweep_cdt_draw::ViolationsPicture;
-use sweep_cdt_engine::{Input as Asked, Inside, OUT_OF_BOUNDS, Question, Verdict, headline};
+use sweep_cdt_engine::{
+    Input as Asked, Inside, OUT_OF_BOUNDS, Question, Verdict, headline, nothing_free,
+};
 use sweep_cdt_formats::{
     Coordinate, GraphFile, Input, Matching, ResultError, WayOut, added_points, write_certificate,
     write_violations,
@@ -27,7 +29,7 @@ use crate::shared::arithmetic::{Given, Job, ScalarArgs};
 use crate::shared::bounds::BoundsArgs;
 use crate::shared::earlier::Earlier;
 use crate::shared::failure::{Failure, way_out};
-use crate::shared::files::{FileArgument, ReadingArgs};
+use crate::shared::files::{FileArgument, FilesRead, ReadingArgs};
 use crate::shared::inside::{default_of, expect_suits};
 use crate::shared::outputs::{Destination, Outputs, refuse_read, refuse_twice};
 use crate::shared::places::located_interior;
@@ -254,24 +256,17 @@ impl Verify {
             );
         }
         self.sort.refuse_without("--stream")?;
-        let svg = self.svg.clone().map(Destination::of_path).transpose()?;
-        let record = self.record.clone().map(Destination::of_path);
-        let record = record.transpose()?;
-        let geojson = self.geojson.clone().map(Destination::of_path).transpose()?;
-        let certificate = self.write_certificate.clone().map(Destination::of_path);
-        let certificate = certificate.transpose()?;
+        let of = |path: &Option<PathBuf>| path.clone().map(Destination::of_path).transpose();
+        let (svg, geojson) = (of(&self.svg)?, of(&self.geojson)?);
+        let (record, certificate) = (of(&self.record)?, of(&self.write_certificate)?);
         if certificate.is_some() && self.level < Level::Delaunay {
             let message =
                 "--write-certificate is for constrained Delaunay triangulations: leave out --level";
             return Err(Failure::Usage(message.to_owned()));
         }
         let standard = Destination::standard();
-        let written = || {
-            svg.iter()
-                .chain(&record)
-                .chain(&geojson)
-                .chain(&certificate)
-        };
+        let outputs = [&svg, &record, &geojson, &certificate];
+        let written = || outputs.into_iter().flatten();
         refuse_twice([&standard].into_iter().chain(written()))?;
         if let Some(threads) = self.threads {
             limit_threads(threads);
@@ -295,6 +290,7 @@ impl Verify {
         let own = self.with_added(&mut input, &files)?;
         let run = Run {
             arguments: self,
+            read: &read,
             result: files,
             own,
             of_input: &of_input,
@@ -333,6 +329,7 @@ impl Verify {
 /// A run with files that are read.
 struct Run<'a> {
     arguments: &'a Verify,
+    read: &'a FilesRead,
     result: ResultFiles,
     /// How many points are the input's own; the others were added.
     own: usize,
@@ -382,6 +379,10 @@ impl Job for Run<'_> {
         };
         let answer = question.answer();
         let answer = answer.map_err(|error| given.failure(located_interior(file, error)))?;
+        let result = arguments.result.result.as_ref();
+        let result = result.map_or(String::new(), FileArgument::input_name);
+        self.read
+            .say(&result, nothing_free(&answer, arguments.level).as_slice())?;
         let bounds = arguments.bounds.given().map(|bounds| {
             let points = &file.graph.points;
             Bounded::new(bounds, points, &triangles, arguments.limit)
@@ -403,8 +404,6 @@ impl Job for Run<'_> {
             triangles: &triangles,
             bounds: bounds.as_ref(),
         };
-        let result = arguments.result.result.as_ref();
-        let result = result.map_or(String::new(), FileArgument::input_name);
         let advice = (!arguments.json).then(|| match unbounded {
             Verdict::Wrong => advice(&given, &question, &answer),
             _ if !violators.is_empty() => OUT_OF_BOUNDS.to_owned(),
@@ -479,11 +478,11 @@ impl Job for Run<'_> {
 
 /// Reads a difference.
 fn difference(text: &str) -> Result<f64, String> {
-    let value: f64 = text.parse().map_err(|_| "not a number".to_owned())?;
-    let is_difference = value.is_finite() && value >= 0.0;
-    is_difference
-        .then_some(value)
-        .ok_or_else(|| "not a finite number from 0 on".to_owned())
+    match text.parse::<f64>() {
+        Ok(value) if value.is_finite() && value >= 0.0 => Ok(value),
+        Ok(_) => Err("not a finite number from 0 on".to_owned()),
+        Err(_) => Err("not a number".to_owned()),
+    }
 }
 
 /// The failure of a result that is not read, with what helps.

@@ -6,6 +6,7 @@
 use std::fmt::Write;
 use std::time::{Duration, Instant};
 
+use sweep_cdt::interior::FillRule;
 use sweep_cdt_edit::{DynamicTriangulation, Edits};
 
 const OBSTACLES: usize = 100;
@@ -59,7 +60,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut last = room.apply(posts)?;
     (last.points, last.edges) = (0..0, 0..0);
     let (mut edited, mut fresh_runs) = (Duration::ZERO, Duration::ZERO);
-    let mut changed = 0;
+    let (mut changed, mut free) = (0, 0);
     for frame in 0..FRAMES {
         let start = Instant::now();
         let [next, _] = room.next_numbers();
@@ -80,11 +81,13 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let triangles = fresh.canonical_triangles().into_iter();
         let triangles: Vec<_> = triangles.map(|t| t.map(|v| numbers[v])).collect();
         assert_eq!(room.canonical_triangles(), triangles, "frame {frame}");
+        // Between the walls and the obstacles, whose sides are all of the edges.
+        free = fresh.interior(FillRule::EvenOdd)?.inside().len();
     }
     let a_frame = |time: Duration| time.as_secs_f64() * 1e6 / FRAMES as f64;
     println!(
         "{FRAMES} frames of {OBSTACLES} obstacles, each equal to a fresh run: {:.0} us a frame by edits ({} of {} triangles \
-         new), {:.0} us by fresh runs",
+         new), {:.0} us by fresh runs; at the end {free} are free",
         a_frame(edited),
         changed / FRAMES,
         room.len(),

@@ -10,6 +10,12 @@ use sweep_cdt_formats::Coordinate;
 pub const OUT_OF_BOUNDS: &str =
     "only bounds are broken: refine the input with them, or ask for less";
 
+/// The verdict on a mesh by itself in words, before its bounds are asked; `result` is what it is called.
+pub fn of_mesh(result: &str, triangles: usize) -> String {
+    let plural = if triangles == 1 { "" } else { "s" };
+    format!("correct: {result} is a mesh of {triangles} triangle{plural}")
+}
+
 /// A triangle that breaks a bound.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Violator {

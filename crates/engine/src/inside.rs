@@ -102,9 +102,10 @@ impl Inside {
         NAMES.into_iter().map(|(name, _)| name)
     }
 
-    /// The rule for an input that may have seeds of holes and polygons, where none is asked for.
-    pub fn default_of(has_holes: bool, has_polygons: bool) -> Inside {
-        match (has_holes, has_polygons) {
+    /// The rule where none is asked for, for an input that may have polygons, and seeds that count: those of holes, and
+    /// where a mesh is refined those of regions with greatest areas.
+    pub fn default_of(has_seeds: bool, has_polygons: bool) -> Inside {
+        match (has_seeds, has_polygons) {
             (true, _) => Inside::Holes,
             (false, true) => Inside::Polygons,
             (false, false) => Inside::HULL,

@@ -22,19 +22,21 @@ mod verdict;
 mod wanted;
 
 pub use advice::{Advice, Fit, How, Setting, Several};
-pub use bounds::{OUT_OF_BOUNDS, Violator, broken, size, size_in_words, violators, with_bounds};
+pub use bounds::{
+    OUT_OF_BOUNDS, Violator, broken, of_mesh, size, size_in_words, violators, with_bounds,
+};
 pub use cells::{Clip, cells};
 pub use inside::{Input, Inside};
 pub use missing::{Missing, MissingError};
 pub use question::{Question, Triangulate, Verify};
-pub use refine::{RefinedFile, region_areas};
+pub use refine::{RefinedFile, bounds_or_default, region_areas};
 pub use remarks::{remarks, without_heights};
 pub use sentence::Words;
 pub use settings::{
     ALGORITHMS, Choice, FRONTS, FrontKind, HEURISTICS, Settings, UnknownName, chosen,
 };
 pub use sweep_cdt_formats::Remark;
-pub use verdict::{Answer, Verdict, counts, headline};
+pub use verdict::{Answer, Verdict, counts, headline, nothing_free};
 
 /// The example of the README, as a test.
 #[cfg(doctest)]

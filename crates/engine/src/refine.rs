@@ -10,10 +10,11 @@ use std::collections::BTreeMap;
 use sweep_cdt::Triangulation;
 use sweep_cdt::crossings::Exact;
 use sweep_cdt::interior::Interior;
-use sweep_cdt_edit::{Left, RefineError, Refined, Refinement};
+use sweep_cdt_edit::{Bounds, Left, RefineError, Refined, Refinement};
 use sweep_cdt_formats::{Column, Coordinate, GraphFile, Remark};
 use sweep_cdt_terrain::Surface;
 
+use crate::inside::Inside;
 use crate::settings::UnknownName;
 
 /// A file that was refined.
@@ -186,16 +187,28 @@ fn columns<S: Coordinate>(
     file.columns.iter().map(column).collect()
 }
 
+/// The bounds of a refinement: those that were asked for, or a least angle of 20 degrees where nothing bounds
+/// triangles.
+pub fn bounds_or_default(given: Bounds, has_areas: bool) -> Bounds {
+    let has_none = given == Bounds::default() && !has_areas;
+    Bounds {
+        least_angle: given.least_angle.or(has_none.then_some(20.0)),
+        ..given
+    }
+}
+
 /// The greatest area in each region of an interior: that of the file, or another one that is given for its number in the
-/// file. Regions of polygons have the number of their feature.
+/// file. Regions of polygons have the number of their feature. A remark tells that the rule has no use for areas of the
+/// file.
 ///
 /// # Errors
 /// There is no region of such a number.
 pub fn region_areas<S: Exact>(
     file: &GraphFile<S>,
+    rule: Inside,
     inside: &Interior<'_>,
     given: &[(usize, f64)],
-) -> Result<Vec<f64>, UnknownName> {
+) -> Result<(Vec<f64>, Option<Remark>), UnknownName> {
     let numbers: Vec<usize> = if inside.is_of_polygons() {
         file.polygons.features.clone()
     } else if inside.has_regions() {
@@ -210,16 +223,23 @@ pub fn region_areas<S: Exact>(
         let known = known.iter().map(String::as_str);
         return Err(UnknownName::new("region", &unknown.to_string(), known));
     }
-    let own = |region: usize| match inside.is_of_polygons() {
-        true => None,
-        false => file.region_areas.get(region).copied(),
+    let own = match rule.has_regions() {
+        true => &file.region_areas[..],
+        false => &[],
     };
     let area = |(region, number): (usize, &usize)| {
         let given = given.iter().rev().find(|(other, _)| other == number);
         given
             .map(|(_, area)| *area)
-            .or_else(|| own(region))
+            .or_else(|| own.get(region).copied())
             .unwrap_or(f64::INFINITY)
     };
-    Ok(numbers.iter().enumerate().map(area).collect())
+    let areas = numbers.iter().enumerate().map(area).collect();
+    let finite = file.region_areas.iter().filter(|area| area.is_finite());
+    let unused = Remark::UnusedAreas {
+        areas: finite.count(),
+        rule: rule.to_string(),
+    };
+    let is_unused = own.is_empty() && !file.region_areas.is_empty();
+    Ok((areas, is_unused.then_some(unused)))
 }

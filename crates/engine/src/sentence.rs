@@ -20,6 +20,8 @@ pub struct Words<'a> {
     pub settings: &'a dyn Fn(&[Setting]) -> String,
     /// An error of the input.
     pub refused: &'a dyn Fn(Error) -> String,
+    /// What judges a mesh by itself beside its input, if this is one.
+    pub beside_input: Option<&'a str>,
     /// What shows where triangles are wrong, with its verb.
     pub show: &'a str,
 }
@@ -56,10 +58,16 @@ impl<S: Coordinate, T: Scalar> Question<'_, S, T> {
             Advice::Strangers => look(
                 "corners are no vertices of the input: perhaps this is the result of another one",
             ),
-            Advice::Look(Some(name)) => look(&format!(
-                "no {setting} accepts this, the first violation is {name}"
-            )),
-            Advice::Look(None) => look(&format!("no {setting} accepts this")),
+            Advice::Look(name) => {
+                let nothing = match words.beside_input {
+                    Some(call) => format!(
+                        "this is no triangulation of its own points, and with those of its input {call} judges it"
+                    ),
+                    None => format!("no {setting} accepts this"),
+                };
+                let first = name.map(|name| format!(", the first violation is {name}"));
+                look(&(nothing + &first.unwrap_or_default()))
+            }
         }
     }
 

@@ -1,6 +1,7 @@
 //! Verdicts on triangles: by name, in words and in numbers.
 
 use sweep_cdt::verify::{Depth, Level, Report, Violations};
+use sweep_cdt_formats::Remark;
 
 use crate::bounds::Violator;
 
@@ -65,6 +66,14 @@ pub fn counts(report: &Report) -> [(&'static str, usize); 11] {
         ("added_points", report.added_points),
         ("split_edges", report.split_edges),
     ]
+}
+
+/// The remark that no side could break a level that was reached: all are edges.
+pub fn nothing_free(answer: &Answer, level: Level) -> Option<Remark> {
+    let report = answer.as_ref().ok()?;
+    let sides = (3 * report.triangles - report.boundary_sides) / 2;
+    let is_empty = level >= Level::Delaunay && report.free_sides == 0 && sides > 0;
+    is_empty.then_some(Remark::NothingFree { sides })
 }
 
 /// The verdict on a level in words. `result` and `input` are what they are called.

@@ -198,6 +198,7 @@ fn sentence(question: &Question<'_, f64, f64>) -> String {
         max_depth: "depth",
         settings: &|settings: &[Setting]| format!("{settings:?}"),
         refused: &|error| error.to_string(),
+        beside_input: None,
         show: "pictures show",
     };
     let answer = question.answer().expect("a domain");

@@ -7,7 +7,9 @@ use sweep_cdt::crossings::Exact;
 use sweep_cdt::interior::{FillRule, Interior};
 use sweep_cdt::{Pslg, Region, triangulate};
 use sweep_cdt_edit::{Bounds, Broken, Refinement, Voronoi};
-use sweep_cdt_engine::{Clip, Inside, RefinedFile, cells, region_areas, size, violators};
+use sweep_cdt_engine::{
+    Clip, Inside, RefinedFile, bounds_or_default, cells, region_areas, size, violators,
+};
 use sweep_cdt_formats::{Cell, Column, GraphFile, Numbering, Remark};
 use sweep_cdt_generate::Random;
 
@@ -187,15 +189,29 @@ fn parts_and_new_vertices_have_what_the_file_says() {
     let inside = Inside::Holes
         .interior(&(&file).into(), &result)
         .expect("seeds");
-    let areas = region_areas(&file, &inside, &[]).expect("regions");
-    assert_eq!(areas, [0.75]);
-    assert_eq!(region_areas(&file, &inside, &[(1, 2.0)]), Ok(vec![2.0]));
-    let unknown = region_areas(&file, &inside, &[(2, 2.0)]).expect_err("one region");
+    let asked = |given: &[(usize, f64)]| region_areas(&file, Inside::Holes, &inside, given);
+    let (areas, none) = asked(&[]).expect("regions");
+    assert_eq!((&areas[..], none), (&[0.75][..], None));
+    assert_eq!(asked(&[(1, 2.0)]), Ok((vec![2.0], None)));
+    let unknown = asked(&[(2, 2.0)]).expect_err("one region");
     assert_eq!(unknown.to_string(), r#"region "2" is not one of 1"#);
+    let hull = Interior::whole(&result);
+    let unused = Remark::UnusedAreas {
+        areas: 1,
+        rule: "hull".to_owned(),
+    };
+    assert_eq!(
+        region_areas(&file, Inside::HULL, &hull, &[]),
+        Ok((vec![], Some(unused)))
+    );
     let bounds = Bounds {
         least_angle: Some(25.0),
         ..Bounds::default()
     };
+    let none = Bounds::default();
+    assert_eq!(bounds_or_default(none, true), none);
+    assert_eq!(bounds_or_default(none, false).least_angle, Some(20.0));
+    assert_eq!(bounds_or_default(bounds, false), bounds);
     let how = Refinement::new(bounds).region_areas(&areas);
     let refined = RefinedFile::new(&file, &inside, &how).expect("a mesh");
     let mesh = &refined.file;
@@ -337,7 +353,10 @@ fn cells_of_doubles_tile_what_they_are_cut_to() {
             for ring in found.iter().flat_map(|cell| cell.polygons.iter().flatten()) {
                 let ends = ring.iter().zip(ring.iter().cycle().skip(1));
                 assert!(
-                    ring.len() > 2 && ends.clone().all(|(p, q)| p != q),
+                    ring.len() > 2
+                        && ends
+                            .clone()
+                            .all(|(p, q)| p.map(f64::to_bits) != q.map(f64::to_bits)),
                     "{given:?}: {ring:?}"
                 );
                 sum += ends.map(|(p, q)| p[0] * q[1] - p[1] * q[0]).sum::<f64>();

@@ -8,8 +8,8 @@ use sweep_cdt::{Algorithm, Error, Heuristics, Stats, Triangulator, Watch};
 use sweep_cdt_testing::Input;
 
 use crate::fronts::{
-    AnyFront, BTree, BitSet, Finger, FromEnd, RankTable, SampleTree, SortedArray, Structure, Treap,
-    UniformTable,
+    AnyFront, BTree, BitSet, Finger, FixedTable, FromEnd, LearnedTable, RankTable, SampleTree,
+    SampledUniverse, SortedArray, Structure, Treap, TwoFingers, UniformTable, VanEmdeBoas,
 };
 
 /// A run of the sweep whose time counts.
@@ -115,13 +115,19 @@ pub fn standard() -> Vec<Contestant> {
         Contestant::new("uniform table, n/10", UniformTable::new(|n| n / 10)),
         Contestant::new("uniform table, n/100", UniformTable::new(|n| n / 100)),
         Contestant::new("hash over ranks", RankTable::default()),
+        Contestant::new("learned table", LearnedTable::default()),
+        Contestant::new("fixed table, 1024", FixedTable::<1024>::default()).linear(),
+        Contestant::new("fixed table, 32", FixedTable::<32>::default()).linear(),
         Contestant::new("bit set over ranks", BitSet::default()),
+        Contestant::new("van Emde Boas tree", VanEmdeBoas::default()),
+        Contestant::new("sampled universe", SampledUniverse::default()),
         Contestant::new("skip list", SkipList::default()).counted_by(SkipList::counting()),
         Contestant::new("treap", Treap::new(SEED)),
         Contestant::new("B-tree", BTree::default()),
         Contestant::new("splay tree, 10 % sample", SampleTree::new(10, SEED)),
         Contestant::new("sorted array", SortedArray::default()).linear(),
         Contestant::new("finger", Finger::default()).linear(),
+        Contestant::new("two fingers", TwoFingers::default()).linear(),
         Contestant::new("walk from the last node", Linear::default()).linear(),
         Contestant::new("walk from the end", FromEnd).linear(),
     ]

@@ -1,5 +1,5 @@
-//! A plan: an experiment with its cells, variants, seed and repetitions; and the folder of its results: the
-//! plan, a CSV file for each cell that has run, and one of all rows.
+//! A plan: an experiment with its cells, variants and repetitions; and the folder of its results: the plan, two CSV files
+//! for each cell that has run, of counts and of turns, and two of all cells.
 //!
 //! The plan says what a folder of results holds, so that an interrupted run goes on with what is missing, and
 //! never mixes two plans. Files are written under another name and renamed, so that a file that is there is
@@ -10,46 +10,32 @@ use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+
 use crate::experiments::Experiment;
-use crate::measure::{Cell, Row, Variant};
-use crate::report::commit;
+use crate::measure::{Cell, Row, Turn, Variant};
 
 #[derive(Debug)]
 pub(crate) struct Plan {
     pub(crate) experiment: Experiment,
     pub(crate) cells: Vec<Cell>,
     pub(crate) variants: Vec<Variant>,
-    pub(crate) seed: u64,
     pub(crate) repetitions: usize,
+    /// Whether a turn of each variant runs under Cachegrind, too.
+    pub(crate) cachegrind: bool,
     pub(crate) commit: String,
 }
 
 impl Plan {
-    /// The plan of an experiment with these cells and variants, at the present commit.
-    pub(crate) fn new(
-        experiment: Experiment,
-        cells: Vec<Cell>,
-        variants: Vec<Variant>,
-        seed: u64,
-        repetitions: usize,
-    ) -> Plan {
-        Plan {
-            experiment,
-            cells,
-            variants,
-            seed,
-            repetitions,
-            commit: commit(),
-        }
-    }
-
     /// A line for a cell.
     pub(crate) fn line(cell: &Cell) -> String {
-        if cell.size == 0 {
-            cell.data()
+        let size = if cell.size == 0 {
+            String::new()
         } else {
-            format!("{} {}", cell.data(), cell.size)
-        }
+            format!(" {}", cell.size)
+        };
+        format!("{}{size} seed {}", cell.data(), cell.seed)
     }
 
     /// The whole plan as text.
@@ -60,8 +46,8 @@ impl Plan {
     /// The plan's text as it would be at another commit.
     pub(crate) fn text_at(&self, commit: &str) -> String {
         let mut text = format!(
-            "experiment {}\ncommit {}\nseed {}\nrepetitions {}\n",
-            self.experiment.name, commit, self.seed, self.repetitions
+            "experiment {}\ncommit {}\nrepetitions {}\ncachegrind {}\n",
+            self.experiment.name, commit, self.repetitions, self.cachegrind
         );
         for variant in &self.variants {
             let _ = writeln!(text, "variant {}", variant.name);
@@ -132,6 +118,7 @@ impl Store {
         .into())
     }
 
+    /// The file of a cell's counts; that of its turns has `-turns` in its name.
     fn cell(&self, number: usize) -> PathBuf {
         self.folder.join("cells").join(format!("{number:04}.csv"))
     }
@@ -157,9 +144,7 @@ impl Store {
         }
         let mut rows = Vec::new();
         for number in 0..plan.cells.len() {
-            for row in csv::Reader::from_path(self.cell(number))?.deserialize() {
-                rows.push(row?);
-            }
+            rows.extend(read_rows(&self.cell(number))?);
         }
         let name = format!("{}.csv", plan.experiment.name);
         write_rows(&self.folder.join(name), &rows)?;
@@ -167,10 +152,54 @@ impl Store {
     }
 }
 
+/// The file of the turns beside a file of counts.
+fn turns(path: &Path) -> PathBuf {
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    path.with_file_name(format!("{stem}-turns.csv"))
+}
+
+/// Rows with their turns.
+///
+/// # Errors
+/// If one of the two files cannot be read.
+pub(crate) fn read_rows(path: &Path) -> Result<Vec<Row>> {
+    let mut rows: Vec<Row> = read(path)?;
+    let mut at = 0;
+    for turn in read::<Turn>(&turns(path))? {
+        // They are in the order of the rows.
+        while !turn.is_of(
+            rows.get(at)
+                .ok_or(format!("{}: a turn of no row", path.display()))?,
+        ) {
+            at += 1;
+        }
+        rows[at].turns.push(turn);
+    }
+    Ok(rows)
+}
+
+fn read<T: DeserializeOwned>(path: &Path) -> Result<Vec<T>> {
+    let reader =
+        csv::Reader::from_path(path).map_err(|error| format!("{}: {error}", path.display()));
+    Ok(reader?
+        .into_deserialize()
+        .collect::<std::result::Result<_, _>>()?)
+}
+
+/// Writes the turns first: where the counts are, the turns are, too.
 fn write_rows(path: &Path, rows: &[Row]) -> Result<()> {
+    write(&turns(path), rows.iter().flat_map(|row| &row.turns))?;
+    write(path, rows)
+}
+
+/// Writes a CSV file.
+pub(crate) fn write<'a, T: Serialize + 'a>(
+    path: &Path,
+    all: impl IntoIterator<Item = &'a T>,
+) -> Result<()> {
     let mut writer = csv::Writer::from_writer(Vec::new());
-    for row in rows {
-        writer.serialize(row)?;
+    for one in all {
+        writer.serialize(one)?;
     }
     write_whole(path, &writer.into_inner()?)
 }

@@ -351,9 +351,31 @@ impl<S> GraphFile<S> {
         let numbers = numbers.flat_map(|column| &mut column.values);
         let means_none = numbers.filter(|number| (**number - value).abs() == 0.0);
         let count = means_none.map(|number| *number = f64::NAN).count();
+        let remark = Remark::NoValue { value, count };
         let has_columns = !self.columns.is_empty();
-        self.remarks
-            .extend(has_columns.then_some(Remark::NoValue { value, count }));
+        self.remarks.extend(has_columns.then_some(remark));
+        self
+    }
+
+    /// The file, and a remark if heights are a number that programs often write where there is none.
+    ///
+    /// ```
+    /// use sweep_cdt_formats::{Column, GraphFile};
+    ///
+    /// let columns = vec![Column::heights(vec![7.0, -9999.0])];
+    /// let file = GraphFile::<f64> { columns, ..GraphFile::default() }.with_voids_said();
+    /// assert_eq!(file.remarks[0].to_string(), "1 height is -9999, which often means that there is none");
+    /// ```
+    #[must_use]
+    pub fn with_voids_said(mut self) -> GraphFile<S> {
+        let usual = [-9999.0, -99999.0, -32768.0, f64::from(f32::MIN)];
+        let heights = self.heights().map_or(&[][..], |column| &column.values);
+        let void = usual.into_iter().find_map(|value: f64| {
+            let is_void = |height: &&f64| height.total_cmp(&value).is_eq();
+            let count = heights.iter().filter(is_void).count();
+            (count > 0).then_some(Remark::Void { value, count })
+        });
+        self.remarks.extend(void);
         self
     }
 

@@ -72,6 +72,13 @@ pub enum Remark {
         /// How many there are in the columns.
         count: usize,
     },
+    /// Heights are a number that programs write where there is none.
+    Void {
+        /// The number.
+        value: f64,
+        /// How many heights are that.
+        count: usize,
+    },
     /// A header contradicts the rest of its file, or says that all points are one.
     Promise {
         /// The contradiction, in words.
@@ -126,6 +133,18 @@ pub enum Remark {
         triangles: usize,
         /// The reason, in words.
         reason: String,
+    },
+    /// Greatest areas of regions count for nothing: the rule for what is inside has no regions.
+    UnusedAreas {
+        /// How many there are.
+        areas: usize,
+        /// The name of the rule.
+        rule: String,
+    },
+    /// Every side between two triangles is an edge, so that none had to be Delaunay.
+    NothingFree {
+        /// How many such sides there are.
+        sides: usize,
     },
     /// Equal points share a cell.
     SharedCells {
@@ -201,6 +220,7 @@ impl Remark {
             Remark::HeightProperty { .. } => "height-property",
             Remark::Columns { .. } => "columns",
             Remark::NoValue { .. } => "no-value",
+            Remark::Void { .. } => "void",
             Remark::Promise { .. } => "promise",
             Remark::HalfOfTheGlobe { .. } => "half-of-the-globe",
             Remark::TracedTwice { .. } => "traced-twice",
@@ -210,6 +230,8 @@ impl Remark {
             Remark::OffTerrain { .. } => "off-terrain",
             Remark::CoveredTwice { .. } => "covered-twice",
             Remark::Unrefined { .. } => "unrefined",
+            Remark::UnusedAreas { .. } => "unused-areas",
+            Remark::NothingFree { .. } => "nothing-free",
             Remark::SharedCells { .. } => "shared-cells",
             Remark::NoTriangles(_) => "no-triangles",
             Remark::NothingInside { .. } => "nothing-inside",
@@ -244,6 +266,7 @@ impl Remark {
                 | Remark::NotWritten { .. }
                 | Remark::Promise { .. }
                 | Remark::Unrefined { .. }
+                | Remark::UnusedAreas { .. }
         )
     }
 
@@ -252,6 +275,8 @@ impl Remark {
         match self {
             Remark::Faces { .. } => Some(("faces", "takes them for polygons")),
             Remark::Columns { .. } => Some(("columns", "names others")),
+            Remark::Void { .. } => Some(("no-value", "takes a number for that")),
+            Remark::UnusedAreas { .. } => Some(("inside", "holes has regions")),
             Remark::NothingInside {
                 has_holes: true, ..
             } => Some(("inside", "hull-without-holes keeps all but the holes")),
@@ -306,6 +331,10 @@ impl Remark {
                 let numbers = of(*count, "number is", "numbers are");
                 format!("{numbers} {value} and counted as missing")
             }
+            Remark::Void { value, count } => {
+                let of = of(*count, "height is", "heights are");
+                format!("{of} {value}, which often means that there is none")
+            }
             Remark::Promise { what } => format!("the header says {what}"),
             Remark::HalfOfTheGlobe { edges } => format!(
                 "{} more than 180 degrees of longitude: what crosses the line of 180 degrees must be cut there, or have \
@@ -328,8 +357,8 @@ impl Remark {
                 "{heights} heights are interpolated, {outside} vertices lie outside of the hull of those with heights"
             ),
             Remark::WithoutHeights { missing, vertices } => format!(
-                "{missing} of {vertices} vertices have no height: z is `NaN` there, or left out in .geojson, which some \
-                 programs read as 0"
+                "{missing} of {vertices} vertices have no height: z is `NaN` there, or left out, which some programs \
+                 read as 0"
             ),
             Remark::OpenTriangles { missing, triangles } => format!(
                 "{missing} of {triangles} triangles have a corner without a height, and are left out"
@@ -343,6 +372,16 @@ impl Remark {
             Remark::Unrefined { triangles, reason } => {
                 let of = of(*triangles, "triangle breaks", "triangles break");
                 format!("{of} a bound still: {reason}")
+            }
+            Remark::UnusedAreas { areas, rule } => {
+                let of = of(*areas, "area of a region is", "areas of regions are");
+                format!("{of} not used: the rule {rule} has no regions")
+            }
+            Remark::NothingFree { sides } => {
+                let of = of(*sides, "side", "sides");
+                format!(
+                    "of {of} between two triangles each is an edge: nothing was asked of Delaunay"
+                )
             }
             Remark::SharedCells { points } => {
                 let [one, many] = [

@@ -190,6 +190,11 @@ pub const KINDS: &[Kind] = &[
         make: Make::Plane(points::outliers),
     },
     Kind {
+        name: "towers",
+        about: "a row between two tall strips, whose points come in turn",
+        make: Make::Plane(points::towers),
+    },
+    Kind {
         name: "leftwards",
         about: "half a parabola, each point to the left of all before it",
         make: Make::Plane(points::leftwards),

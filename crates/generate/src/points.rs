@@ -128,6 +128,23 @@ pub(super) fn above_a_row(n: usize, random: &mut Random) -> Pslg<f64> {
     only(points)
 }
 
+/// Against a table of intervals: each tower has a short front, so its intervals are empty, and the node that joined last
+/// is beyond the row.
+pub(super) fn towers(n: usize, random: &mut Random) -> Pslg<f64> {
+    let mut points = row(n);
+    let width = points.len() as f64;
+    for i in 0..n / 2 {
+        let from_row = 1.0 + width * random.unit();
+        let x = if i % 2 == 0 {
+            -from_row
+        } else {
+            width + from_row
+        };
+        points.push([x, n as f64 * (1.0 + i as f64)]);
+    }
+    only(points)
+}
+
 /// Against equal intervals of x.
 pub(super) fn outliers(n: usize, random: &mut Random) -> Pslg<f64> {
     let mut input = above_a_row(n, random);

@@ -58,6 +58,7 @@ const HASHES: [&str; KINDS.len()] = [
     "alternating e0ecccc039edbc74",
     "above-a-row 7fcc90cbf4cc9f83",
     "outliers 48638d78fb6b99c8",
+    "towers 7b3a98a206e38b19",
     "leftwards 2a80293574b88b7d",
 ];
 

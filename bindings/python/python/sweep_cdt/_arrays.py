@@ -19,16 +19,19 @@ from ._errors import KindError, ShapeError
 WHOLE = 2**53
 
 
-def by_names(given: Any) -> tuple[Any, Any]:
+def by_names(given: Any, height: str | None = None) -> tuple[Any, Any]:
     """Of a frame that names x and y, as a table does in its first row: these columns, and the one of heights, if it names
-    one. Anything else as it is."""
+    one, or has the one that is asked for. Anything else as it is."""
     if not (hasattr(given, "columns") and hasattr(given, "__array__")):
         return given, None
     names = [str(name) for name in getattr(given, "column_names", given.columns)]
     places = _native.named_columns(names)
     if places is None:
         return given, None
-    return _picked(given, places[:2]), _picked(given, places[2:]) if places[2:] else None
+    heights = places[2:]
+    if height is not None:
+        heights = [at for at in range(len(names)) if names[at] == height and at not in places[:2]][:1]
+    return _picked(given, places[:2]), _picked(given, heights) if heights else None
 
 
 def _picked(given: Any, places: list[int]) -> Any:

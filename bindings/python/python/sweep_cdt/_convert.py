@@ -80,9 +80,10 @@ def _places(self: Triangulation, z: Any) -> np.ndarray:
 def to_meshio(self: Triangulation, z: Any = None) -> Any:
     """The triangles inside and the constrained sides as a `meshio.Mesh`.
 
-    The ``cell_data`` are the ``region`` of each triangle, the ``edge`` of each line as of `edge_of`, and its ``marker``,
-    where there are any; -1, and of markers 0, where a cell has none. Of several edges along a line the first counts, and
-    for the marker the first with one.
+    meshio writes all its formats of it but ``.msh``, of which it asks for more where there are lines: the command
+    writes these. The ``cell_data`` are the ``region`` of each triangle, the ``edge`` of each line as of `edge_of`, and
+    its ``marker``, where there are any; -1, and of markers 0, where a cell has none. Of several edges along a line the
+    first counts, and for the marker the first with one.
 
     Parameters
     ----------

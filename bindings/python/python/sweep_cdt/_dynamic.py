@@ -4,20 +4,22 @@ from __future__ import annotations
 
 import dataclasses
 import fractions
+import math
 from typing import Any
 
 import numpy as np
 
 from . import _native
+from ._arrays import as_values
 from ._errors import KindError, ShapeError
 from ._graph import as_input
-from ._input import Input, as_edges, as_fractions, as_points, called
+from ._input import NO_EDGES, Input, as_edges, as_fractions, as_points, called
 from ._places import as_queries
 from ._remarks import say
 from ._triangulation import Triangulation, made
 
 
-@dataclasses.dataclass(frozen=True)
+@dataclasses.dataclass(frozen=True, eq=False)
 class Change:
     """What edits changed.
 
@@ -46,7 +48,8 @@ class DynamicTriangulation:
     Parameters
     ----------
     points, edges : optional
-        As of `triangulate`. With `Fraction` among the points all that come later are taken exactly, too.
+        As of `triangulate`. With `Fraction` among the points all that come later are taken exactly, too. Polygons among
+        them tell what is inside, for `triangulation`.
 
     Attributes
     ----------
@@ -72,20 +75,30 @@ class DynamicTriangulation:
     >>> change = room.edit(points=[[2, 4]], remove_points=pillar)
     >>> change.points.tolist(), change.new.tolist()
     ([5], [[0, 1, 5], [0, 5, 3], [1, 2, 5], [2, 3, 5]])
+
+    What is free between the walls and an obstacle:
+
+    >>> box = room.insert([[3, 1], [4, 1], [4, 2], [3, 2]], [[6, 7], [7, 8], [8, 9], [9, 6]])
+    >>> room.triangulation(inside="even-odd").area
+    53.0
     """
 
     def __init__(self, points: Any = (), edges: Any = None) -> None:
         given = as_input(points, edges)
-        say(given.remarks)
         self._core = _native.Dynamic(given.is_exact)
         self._is_exact = given.is_exact
-        none: list[int] = []
-        called(lambda given: self._core.edit(given.points, given.edges, none, none), given)
+        # Of each edge that is a side of a polygon its ring and its polygon, each with the number of the first edge that
+        # came with it, and whether the ring is a hole.
+        self._ring_of: dict[int, tuple[tuple[int, int], tuple[int, int], bool]] = {}
+        self._holes = given.holes
+        say(given.remarks)
+        self._changed(given, called(lambda given: self._core.edit(given.points, given.edges, NO_EDGES, [], []), given))
 
     def __repr__(self) -> str:
         return f"<DynamicTriangulation of {len(self.points)} points and {len(self.edges)} edges>"
 
     def __len__(self) -> int:
+        """The number of triangles."""
         return len(self.triangles)
 
     def edit(self, *, points: Any = (), edges: Any = None, remove_points: Any = (), remove_edges: Any = ()) -> Change:
@@ -93,8 +106,9 @@ class DynamicTriangulation:
 
         Parameters
         ----------
-        points : array_like of shape (n, 2), optional
-            Points that come; they have the next numbers.
+        points : array_like of shape (n, 2), or an object that has points, optional
+            Points that come; they have the next numbers. Objects are those of `triangulate`, and bring their own edges,
+            which come before `edges`.
         edges : array_like of int of shape (m, 2), optional
             Edges that come, as numbers of points, the new ones among them.
         remove_points : array_like of int, optional
@@ -112,13 +126,23 @@ class DynamicTriangulation:
             `MissingError`, if there is no such point or edge; `PointInUseError`, if an edge ends at a point that goes;
             `CrossingEdgesError`, if edges would cross; `NonFiniteError`, and others as of `triangulate`.
         """
-        found = self._core.edit(
-            self._exactly(as_points(points)),
-            as_edges(edges),
-            _numbers(remove_points, "remove_points"),
-            _numbers(remove_edges, "remove_edges"),
-        )
+        given = as_input(points)
+        if len(given.holes):
+            raise KindError("the holes of a dictionary are those of the first points, of the constructor")
+        say(given.remarks)
+        gone = _numbers(remove_points, "remove_points"), _numbers(remove_edges, "remove_edges")
+        found = self._core.edit(self._exactly(given.points), given.edges, as_edges(edges), *gone)
+        for edge in gone[1]:
+            self._ring_of.pop(edge, None)
+        return self._changed(given, found)
+
+    def _changed(self, given: Input, found: tuple[Any, ...]) -> Change:
+        """What an edit changed; the sides of polygons that came are noted."""
         (first, last), (first_edge, last_edge), gone, new = found
+        for side, ring in enumerate(() if given.ring_of is None else given.ring_of.tolist()):
+            if ring >= 0:
+                polygon, is_hole = given.rings[ring]
+                self._ring_of[first_edge + side] = (first_edge, ring), (first_edge, polygon), is_hole
         return Change(np.arange(first, last), np.arange(first_edge, last_edge), gone.view(np.intp), new.view(np.intp))
 
     def insert(self, points: Any = (), edges: Any = None) -> Change:
@@ -146,7 +170,7 @@ class DynamicTriangulation:
         return self._core.edges()[1].view(np.intp)
 
     def places(self, points: Any) -> np.ndarray:
-        """The places of points by their numbers: an array of shape (k, 2).
+        """The places of points by their numbers: an array of shape (k, 2), or (2,) of one number.
 
         Raises
         ------
@@ -155,7 +179,8 @@ class DynamicTriangulation:
         """
         numbers = np.array(_numbers(points, "points"), dtype=np.uintp)
         found = self._core.places(numbers)
-        return found if isinstance(found, np.ndarray) else as_fractions(found)
+        places = found if isinstance(found, np.ndarray) else as_fractions(found)
+        return places if np.ndim(points) else places[0]
 
     def edge_chain(self, edge: int) -> np.ndarray:
         """The numbers of the points along an edge, as of `Triangulation.edge_chain`.
@@ -223,13 +248,74 @@ class DynamicTriangulation:
             weights = np.array([fractions.Fraction(*parts) for parts in weights], dtype=object)
         return numbers.astype(np.intp), weights
 
-    def triangulation(self) -> Triangulation:
-        """The `Triangulation` of what is there: with pictures, and for other libraries. Its points are those of `points`,
-        counted from 0."""
+    def interpolate(self, values: Any, xi: Any) -> np.ndarray:
+        """Values at places, by the weights of their natural neighbours: smooth but at the points.
+
+        Parameters
+        ----------
+        values : array_like of shape (n,) or (n, k)
+            Values by the numbers of the points: those that are not there count for nothing.
+        xi : array_like of shape (..., 2), or points as geometries
+            The places.
+
+        Returns
+        -------
+        ndarray of shape (...) or (..., k)
+            NaN outside of the hull, and where a value that counts is not there. A `RemarkWarning` counts these places.
+
+        Raises
+        ------
+        Error
+            There is an edge: natural neighbours are those of points alone.
+
+        Examples
+        --------
+        >>> square = DynamicTriangulation([[0, 0], [4, 0], [4, 4], [0, 4]])
+        >>> square.interpolate([1, 1, 3, 3], [[2, 2], [1, 3]]).tolist()
+        [2.0, 2.5]
+        """
+        values = as_values(values, None)
+        count = 1 + int(self.points.max(initial=-1))
+        if len(values) < count:
+            message = f"values has the shape {values.shape}, but points have numbers below {count}"
+            raise ShapeError(message, shape=values.shape)
+        rest = values.shape[1:]
+        columns = np.ascontiguousarray(values.reshape(len(values), math.prod(rest)))
+        _, places, finite, shape = as_queries(xi, "xi", Input(self._exactly(np.empty((0, 2)))))
+        result = np.full((len(finite), columns.shape[1]), np.nan)
+        result[finite] = self._core.interpolate(columns, places).reshape(len(places), columns.shape[1])
+        say(_native.off_terrain(int(np.isnan(result[finite]).any(axis=1).sum()), len(places)))
+        return result.reshape(shape + rest)
+
+    def triangulation(self, inside: str | None = None) -> Triangulation:
+        """The `Triangulation` of what is there: with what is inside, pictures, and for other libraries.
+
+        Parameters
+        ----------
+        inside : str, optional
+            Which triangles are inside, and the default, as of `triangulate`. Polygons are those that came whose sides
+            are there still, in their order.
+
+        Returns
+        -------
+        Triangulation
+            Its points are those of `points`, and its edges those of `edges`, counted from 0.
+        """
         numbers = self.points
         places = self._core.places(numbers.astype(np.uintp))
         ends = np.searchsorted(numbers, self.ends).astype(np.uintp)
-        return made(Input(places, np.ascontiguousarray(ends)), "hull", False, None, None)
+        sides = [self._ring_of.get(edge) for edge in self.edges.tolist()] if self._ring_of else []
+        there = sorted({side for side in sides if side is not None})
+        ring_at = {ring: at for at, (ring, _, _) in enumerate(there)}
+        polygon_at = {polygon: at for at, polygon in enumerate(sorted({polygon for _, polygon, _ in there}))}
+        given = Input(
+            places,
+            np.ascontiguousarray(ends),
+            rings=[(polygon_at[polygon], is_hole) for _, polygon, is_hole in there],
+            ring_of=np.array([-1 if side is None else ring_at[side[0]] for side in sides], dtype=np.int64),
+            holes=self._holes,
+        )
+        return made(given, inside, False, None, None)
 
     def _exactly(self, points: Any) -> Any:
         if isinstance(points, np.ndarray) == self._is_exact:
@@ -240,8 +326,8 @@ class DynamicTriangulation:
 
 
 def _numbers(given: Any, name: str) -> list[int]:
-    """Numbers of points or edges."""
-    array = np.asarray(given)
+    """Numbers of points or edges, or one of them."""
+    array = np.atleast_1d(given)
     if array.size and (array.dtype.kind not in "iu" or array.ndim != 1):
         raise KindError(f"{name} is no list of whole numbers")
     # A negative number becomes a very large one, which there is not either.

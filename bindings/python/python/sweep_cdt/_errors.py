@@ -140,3 +140,9 @@ class InternalError(RuntimeError):
 
     def __init__(self, message: str = "") -> None:
         super().__init__(message)
+
+
+# The kinds are known by the package, not by this file.
+for _kind in list(globals().values()):
+    if isinstance(_kind, type) and issubclass(_kind, Exception):
+        _kind.__module__ = __package__

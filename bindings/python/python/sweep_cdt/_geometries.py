@@ -41,20 +41,26 @@ class Geometries:
     height_name: str = HEIGHT
 
 
-def as_geometries(given: Any, name: str = "points") -> Geometries | None:
-    """The geometries that are handed in; `None`, if it is something else."""
+def as_geometries(given: Any, name: str = "points", height: str | None = None) -> Geometries | None:
+    """The geometries that are handed in, with the heights of a column or property that is asked for, or of one with a
+    usual name; `None`, if it is something else."""
     if _is_of(given, "geopandas"):
-        return _of_geopandas(given, name)
+        return _of_geopandas(given, name, height)
     if _is_geometry(given):
         return Geometries(_array([given]))
     if (document := _document(given)) is not None:
-        found = _of_document(document, name)
+        found = _of_document(document, name, height)
         # An object need not be of longitudes and latitudes.
         found.is_on_globe &= document is given
         return found
     if hasattr(given, "columns") and hasattr(given, "iloc"):
         # A frame of pandas, of which a column has geometries.
-        return as_geometries(given["geometry"], name) if "geometry" in given.columns else None
+        if "geometry" not in given.columns:
+            return None
+        inner = as_geometries(given["geometry"], name)
+        if inner is not None:
+            _raise(inner, given, height)
+        return inner
     if hasattr(given, "dtype"):
         members = np.asarray(given).ravel() if given.dtype == object else ()
     else:
@@ -65,7 +71,7 @@ def as_geometries(given: Any, name: str = "points") -> Geometries | None:
     first = next((member for member in members if member is not None), None)
     if first is None or not (_is_of(first, "geopandas") or _is_geometry(first) or _document(first) is not None):
         return None
-    return _of_members(members, name)
+    return _of_members(members, name, height)
 
 
 def _is_of(given: Any, library: str) -> bool:
@@ -83,10 +89,9 @@ def _document(given: Any) -> dict[str, Any] | None:
     return document if isinstance(document, dict) and document.get("type") in GEOJSON else None
 
 
-def _of_geopandas(given: Any, name: str) -> Geometries:
-    numbers: dict[str, Any] = {}
+def _of_geopandas(given: Any, name: str, height: str | None) -> Geometries:
+    frame = given
     if hasattr(given, "columns"):
-        numbers = {str(column): given[column] for column in given.select_dtypes("number").columns}
         try:
             given = given.geometry
         except AttributeError:
@@ -94,19 +99,28 @@ def _of_geopandas(given: Any, name: str) -> Geometries:
                 f"{name} is a GeoDataFrame without a column of geometries: set_geometry names one"
             ) from None
     found = Geometries(np.asarray(given, dtype=object), given.crs, getattr(given.crs, "is_geographic", False))
-    if (column := _height(numbers)) is not None:
-        found.heights, found.height_name = as_values(numbers[column], len(given), column), column
+    if hasattr(frame, "columns"):
+        _raise(found, frame, height)
     return found
 
 
-def _height(numbers: dict[str, Any]) -> str | None:
+def _raise(found: Geometries, frame: Any, height: str | None) -> None:
+    """Gives geometries the heights of a column of their frame."""
+    numbers = {str(column): frame[column] for column in frame.select_dtypes("number").columns}
+    if (column := _height(numbers, height)) is not None:
+        found.heights, found.height_name = as_values(numbers[column], len(frame), column), column
+
+
+def _height(numbers: dict[str, Any], asked: str | None) -> str | None:
     """The name of the property or column that is a height, as files have them."""
+    if asked is not None:
+        return asked if asked in numbers else None
     names = list(numbers)
     place = _native.named_height(names)
     return None if place is None else names[place]
 
 
-def _of_document(document: dict[str, Any], name: str) -> Geometries:
+def _of_document(document: dict[str, Any], name: str, height: str | None) -> Geometries:
     import shapely.geometry
 
     try:
@@ -121,7 +135,7 @@ def _of_document(document: dict[str, Any], name: str) -> Geometries:
     crs = document.get("crs")
     name_of_crs = (crs.get("properties") or {}).get("name") if isinstance(crs, dict) else None
     known = [{column: x for column, x in of.items() if math.isfinite(x)} for of in numbers]
-    names = [_height(of_feature) for of_feature in known]
+    names = [_height(of_feature, height) for of_feature in known]
     heights = np.array([np.nan if column is None else of[column] for column, of in zip(names, known)])
     first = next((column for column in names if column is not None), None)
     return Geometries(_array(found), name_of_crs, crs is None, None if first is None else heights, first or HEIGHT)
@@ -135,14 +149,14 @@ def _number(value: Any) -> float:
         return math.nan
 
 
-def _of_members(members: Iterable[Any], name: str) -> Geometries:
+def _of_members(members: Iterable[Any], name: str, height: str | None) -> Geometries:
     """The geometries of each member, which is one or has some."""
     found = []
     for position, member in enumerate(members):
         if member is None or _is_geometry(member):
             inner: Geometries | None = Geometries(_array([member]))
         else:
-            inner = as_geometries(member, f"{name}[{position}]")
+            inner = as_geometries(member, f"{name}[{position}]", height)
         if inner is None:
             raise KindError(
                 f"{name}[{position}] is no geometry but of the type {type(member).__name__}", position=(position,)
@@ -215,8 +229,9 @@ def rings_of(given: Geometries, name: str) -> tuple[list[list[np.ndarray]], list
     return [[shapely.get_coordinates(r, include_z=True)[:-1] for r in polygon] for polygon in rings], of.tolist()
 
 
-def of_geometries(given: Geometries) -> Input:
-    """The input of geometries: points, lines as edges, polygons with their holes. Equal positions are one vertex."""
+def of_geometries(given: Geometries, asked: str | None = None) -> Input:
+    """The input of geometries: points, lines as edges, polygons with their holes. Equal positions are one vertex.
+    Heights that were asked for win, and those of areas have to be."""
     import shapely
 
     parts, of = parts_of(given)
@@ -237,10 +252,13 @@ def of_geometries(given: Geometries) -> Input:
     z, count = places[:, 2], 0
     if given.heights is not None:
         # Of points and lines that have none: the height of a building is not that of its ground.
-        height = np.where(chain < len(chains) - len(rings), given.heights[chain_feature[chain]], np.nan)
-        is_raised = np.isnan(z) & ~np.isnan(height)
+        height = given.heights[chain_feature[chain]]
+        is_free = np.isnan(z) & (chain < len(chains) - len(rings))
+        is_raised = ~np.isnan(height) & (is_free | (asked is not None))
         z, count = np.where(is_raised, height, z), len(np.unique(chain_feature[chain[is_raised]]))
         remarks += _native.height_property(given.height_name, count) if count else []
+    elif asked is not None:
+        remarks += _native.height_property(asked, 0)
     if count or shapely.has_z(parts).any():
         heights, conflicts = gathered(z, vertex, len(points), HEIGHT)
         remarks += conflicts

@@ -14,38 +14,52 @@ from ._geometries import as_geometries, as_places, of_geometries, rings_of
 from ._input import Input, as_doubles, as_edges, as_points
 
 
-def as_input(given: Any, edges: Any = None, polygons: Any = None, holes: Any = None) -> Input:
+def as_input(
+    given: Any, edges: Any = None, polygons: Any = None, holes: Any = None, height: str | None = None
+) -> Input:
     """The input that is given as points, or as an object that says more than that."""
     given, polygons = listed(given), listed(polygons)
     if holes is not None and (seeds := as_geometries(listed(holes), "holes")) is not None:
         holes = as_places(seeds, "holes")
-    if (geometries := as_geometries(given)) is not None:
+    if (geometries := as_geometries(given, height=height)) is not None:
         if edges is None and polygons is None:
-            found = of_geometries(geometries)
+            found = of_geometries(geometries, height)
             return found if holes is None else found.changed(holes=Input(found.points, holes=holes).holes)
         raise Error("edges and polygons go with points; put all shapes in one list of geometries")
     regions: Any = None
     attributes: Sequence[float] = ()
+    areas: Sequence[float] = ()
     heights = markers = None
     if isinstance(given, dict):
         if "vertices" not in given:
             raise KindError("a dictionary has no 'vertices', as of `triangle`, and is no GeoJSON")
         edges = given.get("segments") if edges is None else edges
         holes = given.get("holes") if holes is None else holes
-        regions, attributes = _regions(given.get("regions"))
+        regions, attributes, areas = _regions(given.get("regions"))
         heights, markers = given.get("vertex_attributes"), given.get("segment_markers")
         given = given["vertices"]
-    places, z = by_names(given)
+    places, z = by_names(given, height)
     points = as_points(places)
     if heights is not None:
         # The first attribute, as of .node files.
         heights = first_column(heights, len(points), "vertex_attributes")
     elif z is not None:
         heights = first_column(z, len(points), "the column of heights")
+    remarks = _native.height_property(height, 0) if height is not None and z is None else []
     edges = as_edges(edges)
     if markers is not None:
         markers = _markers(markers, len(edges))
-    whole = Input(points, edges, holes=holes, regions=regions, attributes=attributes, heights=heights, markers=markers)
+    whole = Input(
+        points,
+        edges,
+        holes=holes,
+        regions=regions,
+        attributes=attributes,
+        areas=areas,
+        heights=heights,
+        markers=markers,
+        remarks=remarks,
+    )
     return whole if polygons is None else _with_polygons(whole, polygons)
 
 
@@ -65,14 +79,17 @@ def _markers(given: Any, count: int) -> np.ndarray:
     return rows.reshape(count).astype(np.int64)
 
 
-def _regions(given: Any) -> tuple[Any, Sequence[float]]:
-    """The seeds of regions and their attributes, as `triangle` has them: x, y, attribute, greatest area."""
+def _regions(given: Any) -> tuple[Any, Sequence[float], Sequence[float]]:
+    """The seeds of regions, their attributes and areas, as `triangle` has them: x, y, attribute, greatest area, which
+    is none where it is not above 0."""
     if given is None or not len(_listed(given, "regions")):
-        return None, ()
+        return None, (), ()
     rows = as_values(as_array(given, "regions"), None, "regions")
     if rows.ndim != 2 or rows.shape[1] < 3:
         raise ShapeError(f"regions has the shape {rows.shape}, not (k, 4)", shape=rows.shape)
-    return rows[:, :2], rows[:, 2].tolist()
+    areas = rows[:, 3] if rows.shape[1] > 3 else np.zeros(0)
+    has_area = areas > 0
+    return rows[:, :2], rows[:, 2].tolist(), np.where(has_area, areas, np.inf).tolist() if has_area.any() else ()
 
 
 def _with_polygons(given: Input, polygons: Any) -> Input:

@@ -44,7 +44,8 @@ def as_points(given: Any, name: str = "points", missing: bool = False) -> Any:
         return given
     given, _ = by_names(listed(given))
     if isinstance(given, (str, bytes)) or not (isinstance(given, Iterable) or hasattr(given, "__array__")):
-        raise KindError(f"{name} is no array but {_kind(given)}")
+        hint = ": read a file with pandas or geopandas first" if isinstance(given, str) else ""
+        raise KindError(f"{name} is no array but {_kind(given)}{hint}")
     array = as_array(given, name, missing)
     if array.size == 0 and array.ndim == 1:
         return np.empty((0, 2))
@@ -177,6 +178,7 @@ class Input:
         holes: Any = None,
         regions: Any = None,
         attributes: Sequence[float] = (),
+        areas: Sequence[float] = (),
         features: Sequence[int] | None = None,
         heights: np.ndarray | None = None,
         markers: np.ndarray | None = None,
@@ -192,8 +194,9 @@ class Input:
         self.ring_of = ring_of if self.rings else None
         self.holes = _seeds(holes, "holes")
         self.regions = _seeds(regions, "regions")
-        # The attribute of each region.
+        # The attribute of each region, and its greatest area.
         self.attributes = list(attributes)
+        self.areas = list(areas)
         # The feature of each polygon, if a feature may have several.
         self.features = features
         # The height of each point, if any has one; and the coordinate system.

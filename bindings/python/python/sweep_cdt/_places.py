@@ -132,7 +132,7 @@ def _dynamic(self: Triangulation, points: Any) -> _native.Dynamic:
     if points is self._input.points and self._points_alone is not None:
         return self._points_alone
     found = _native.Dynamic(not isinstance(points, np.ndarray))
-    found.edit(points, NO_EDGES, [], [])
+    found.edit(points, NO_EDGES, NO_EDGES, [], [])
     if points is self._input.points:
         self._points_alone = found
     return found

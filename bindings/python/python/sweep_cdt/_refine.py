@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -48,14 +48,16 @@ def refine(
     Parameters
     ----------
     min_angle : float, optional
-        The least angle in degrees, below 60. Above 34 degrees it need not end: give `max_points`.
+        The least angle in degrees, below 60. Above 34 degrees it need not end: give `max_points`. Without any bound it
+        is 20 degrees.
     max_area : float, or a function of x and y, optional
         The greatest area of a triangle, in the square of the units of the points. A function gives that for triangles
         with their centroid at (x, y); where it is not above 0, no area is too great.
     max_side : float, optional
         The greatest length of a side, in the units of the points.
     region_areas : array_like of shape (k,), optional
-        The greatest area in each region, by the numbers of `region`; NaN or missing where there is none.
+        The greatest area in each region, by the numbers of `region`; NaN or missing where there is none. They count in
+        place of those that the ``regions`` of a dictionary have, which else count by themselves.
     max_points : int, optional
         Ends with so many points.
     keep_boundary : bool, optional
@@ -76,7 +78,7 @@ def refine(
     Raises
     ------
     Error
-        If the bounds are none; `RemarkError` with `strict`.
+        If an angle, area or side is no bound; `RemarkError` with `strict`.
 
     Examples
     --------
@@ -88,12 +90,10 @@ def refine(
     >>> bool((mesh.edge_chain(1) == mesh.edges[mesh.edge_of == 1, 0].tolist() + [2]).all())
     True
     """
-    given, region = self._input.changed(heights=self.heights), np.empty(0)
-    if region_areas is not None:
-        region = _areas(self, as_values(region_areas, None, "region_areas"))
+    given = self._input.changed(heights=self.heights)
     how: dict[str, Any] = {
         "bounds": as_bounds(min_angle, None if callable(max_area) else max_area, max_side),
-        "region_areas": region.tolist(),
+        "region_areas": [] if region_areas is None else _areas(self, as_values(region_areas, None, "region_areas")),
         "area_at": max_area if callable(max_area) else None,
         "most_points": None if max_points is None else as_count(max_points, "max_points"),
         "keep_boundary": bool(keep_boundary),
@@ -129,15 +129,18 @@ def records(result: Triangulation, left: list[tuple[list[int], str, str]]) -> np
     return np.array(sorted(listed), dtype=LEFT)
 
 
-def _areas(self: Triangulation, areas: np.ndarray) -> np.ndarray:
-    """The greatest area of each region by its number in Rust: of features with several polygons, that of each polygon."""
-    if areas.ndim != 1 or self.region is None:
-        raise ShapeError("region_areas has a number for each region, if there are regions", shape=areas.shape)
-    features = self._input.features
+def _areas(self: Triangulation, areas: np.ndarray) -> list[tuple[int, float]]:
+    """The greatest areas of regions or features, by their numbers."""
+    given = self._input
+    if self.region is None:
+        raise ShapeError(f"there are no regions by the rule {self.rule} (region_areas)", shape=areas.shape)
+    numbers: Sequence[int] = range(len(given.regions))
     if self.rule == "polygons":
-        numbers = np.arange(1 + max((p for p, _ in self._input.rings), default=-1)) if features is None else features
-    else:
-        numbers = np.arange(len(self._input.regions))
-    known = np.full(max([len(areas), *(int(n) + 1 for n in numbers)]), np.inf)
-    known[: len(areas)] = np.where(np.isnan(areas), np.inf, areas)
-    return known[np.asarray(numbers, dtype=np.intp)]
+        numbers = given.features or [polygon for polygon, _ in given.rings]
+    # A feature without polygons may have a number, too.
+    count = 1 + max(numbers, default=-1)
+    most = max(count, *(1 + of.max(initial=-1) for of in given.feature_of or ()), 0)
+    if areas.ndim != 1 or not count <= len(areas) <= most:
+        wanted = f"it is a number for each region, of which there are {count}"
+        raise ShapeError(f"region_areas has the shape {areas.shape}: {wanted}", shape=areas.shape)
+    return [(number, areas[number]) for number in sorted(set(numbers)) if not np.isnan(areas[number])]

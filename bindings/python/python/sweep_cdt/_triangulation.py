@@ -31,6 +31,7 @@ def triangulate(
     polygons: Any = None,
     holes: Any = None,
     inside: str | None = None,
+    height_property: str | None = None,
     split_crossings: bool = False,
     threads: int | None = None,
     strict: bool = False,
@@ -67,6 +68,9 @@ def triangulate(
         neither from outside nor from a hole without crossing an edge), ``hull-without-holes``, ``even-odd``,
         ``nonzero``, ``positive``, ``negative``, or ``at-least-2`` and so on, by the winding number of edges that run
         around. The default is ``holes`` if there are holes, ``polygons`` if there are polygons, otherwise ``hull``.
+    height_property : str, optional
+        The column or property that has the `heights`, of a GeoDataFrame, GeoJSON or frame. The default is the first of
+        z, elevation, elev, height and such names; of geometries, for points and lines without a z.
     split_crossings : bool, optional
         Whether edges that cross are split where they do. Otherwise they are an error.
     threads : int, optional
@@ -112,7 +116,7 @@ def triangulate(
     >>> len(result.triangles), result.area
     (8, 72.0)
     """
-    given = as_input(points, edges, polygons, holes)
+    given = as_input(points, edges, polygons, holes, height_property)
     return told(made(given, inside, split_crossings, threads, None), strict)
 
 

@@ -39,6 +39,9 @@ class Question:
     bounds: dict[str, float | None]
     # How vertices were matched, in words.
     matched: str
+    # Whether the input is what the result tells, and whether nothing but the bounds is asked.
+    is_alone: bool
+    only_bounds: bool
 
     def ask(self, function: Callable[..., T], *arguments: Any) -> T:
         """Calls a function in Rust with the question."""
@@ -52,6 +55,8 @@ class Question:
             "attributes": self.attributes if has_regions else None,
             "threads": self.threads,
             "bounds": self.bounds,
+            "is_alone": self.is_alone,
+            "only_bounds": self.only_bounds,
         }
         return called(function, self.given, self.triangles, asked, *arguments)
 
@@ -86,8 +91,10 @@ def verify(
     result_or_points
         A result alone: of this package, a `scipy.spatial.Delaunay`, a `matplotlib.tri.Triangulation`, what
         `triangle.triangulate` returns, a `meshio.Mesh`, a `pyvista.PolyData`, or triangles of shapely. The result is
-        judged by its own points, and by its own edges where it has some. Or the points that the result was made of,
-        or an object that says more, all as of `triangulate`.
+        judged by its own points, and by its own edges where it has some. With bounds, and nothing else that is asked,
+        it is judged by these alone, as the command judges a file by itself, but a result of this package and a
+        dictionary of `triangle`, which tell their domain. Or the points that the result was made of, or an object that
+        says more, all as of `triangulate`.
     simplices : array_like of int of shape (t, 3) or (3 t,), or a result, optional
         The corners of the triangles, from 0; or any of the results above, whose vertices are then matched with the
         points: exactly and in any order, or rounded to single precision or to as many significant digits as they have.
@@ -161,6 +168,11 @@ def verify(
     if matched is None:
         given, result, matched, added_from = _matched(given, result, tolerance, by_number, steiner)
     say(given.remarks, strict)
+    bounds = as_bounds(min_angle, max_area, max_side)
+    # A mesh that tells nothing of its input is judged as the command judges a file by itself.
+    says_nothing = simplices is None and result.rule is None
+    is_asked_more = any(asked is not None for asked in (domain, edges, polygons, holes, max_depth))
+    only_bounds = says_nothing and not is_asked_more and any(bound is not None for bound in bounds.values())
     rule = given.rule(_rule_of_result(result, given, simplices is None) if domain is None else domain)
     question = Question(
         given,
@@ -172,10 +184,14 @@ def verify(
         as_count(limit, "limit"),
         result.attributes,
         as_count(1 if threads is None else threads, "threads"),
-        as_bounds(min_angle, max_area, max_side),
+        bounds,
         matched,
+        simplices is None,
+        only_bounds,
     )
-    return Report(question, question.ask(_native.verify))
+    answer = question.ask(_native.verify)
+    say(answer["remarks"], strict)
+    return Report(question, answer)
 
 
 def _rule_of_result(result: Result, given: Input, is_alone: bool) -> str | None:

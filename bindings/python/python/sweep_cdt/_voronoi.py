@@ -9,7 +9,7 @@ import numpy as np
 
 from . import _native
 from ._arrays import as_array, listed
-from ._errors import ShapeError
+from ._errors import KindError, ShapeError
 from ._geometries import agree, as_geometries
 from ._input import as_doubles, as_fractions, as_points, called
 from ._remarks import say
@@ -63,6 +63,8 @@ class Voronoi:
     """
 
     def __init__(self, triangulation: Triangulation) -> None:
+        if not hasattr(triangulation, "_core"):
+            raise KindError("a Voronoi diagram is made of a triangulation: triangulate(points).voronoi()")
         self._of = triangulation
         found = called(_native.voronoi, triangulation._input, triangulation._core)
         vertices, ridge_points, ridge_vertices, directions, self._cells, self._begins = found
@@ -160,6 +162,8 @@ class Voronoi:
         from ._graph import as_input
 
         agree(self._of.crs, geometries.crs, "within")
+        if any(getattr(of, "geom_type", None) == "LinearRing" for of in geometries.features):
+            raise KindError("within is a ring, which bounds nothing: pass shapely.Polygon(ring)")
         domain = as_input(within)
         if self._of._input.is_exact and not domain.is_exact:
             domain = domain.changed(points=as_points(domain.points.astype(object)))

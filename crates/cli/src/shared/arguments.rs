@@ -12,7 +12,7 @@ use sweep_cdt_formats::{
     write_node,
 };
 
-use super::failure::Failure;
+use super::failure::{Failure, way_out};
 use super::files::{
     FileArgument, FilesRead, Identity, format_of_input, format_of_output, format_parser,
 };
@@ -30,9 +30,9 @@ pub(crate) struct InputArgs {
     #[arg(long, value_name = "FORMAT", value_parser = format_parser(Format::INPUTS))]
     input_format: Option<Format>,
 
-    /// The option that gives the format, in messages.
-    #[arg(skip = "--input-format")]
-    format_option: &'static str,
+    /// The beginning of options for this input alone, in messages: of the one for the format, and of that for columns.
+    #[arg(skip = ["--input-", "--"])]
+    options: [&'static str; 2],
 }
 
 impl InputArgs {
@@ -41,14 +41,14 @@ impl InputArgs {
         InputArgs {
             input,
             input_format,
-            format_option: "--input-format",
+            options: ["--input-", "--"],
         }
     }
 
-    /// The input, where messages name this option for its format.
-    pub(crate) fn format_option(self, format_option: &'static str) -> InputArgs {
+    /// The input, where options for it alone begin so.
+    pub(crate) fn options(self, begin: &'static str) -> InputArgs {
         InputArgs {
-            format_option,
+            options: [begin; 2],
             ..self
         }
     }
@@ -62,7 +62,7 @@ impl InputArgs {
     pub(crate) fn format(&self) -> Result<Format, Failure> {
         format_of_input(
             &self.input,
-            self.format_option,
+            &format!("{}format", self.options[0]),
             self.input_format,
             Format::INPUTS,
         )
@@ -84,7 +84,11 @@ impl InputArgs {
                 show(&node);
                 read(format, &source, Some(&node))?
             }
-            (input, _) => input?,
+            (input, _) => input.map_err(|error| {
+                let columns = format!("{}columns", self.options[1]);
+                let way_out = way_out(&error).replace("--columns", &columns);
+                Failure::Error(format!("{error}{way_out}"))
+            })?,
         };
         let name = self.name();
         Ok(match input {

@@ -51,7 +51,9 @@ pub(crate) fn note(words: std::fmt::Arguments<'_>) {
 pub(crate) fn way_out(error: &ReadError) -> &'static str {
     match error.kind {
         ReadErrorKind::UnpackedLimit { .. } => " (--unpacked-limit allows more)",
-        ReadErrorKind::UnknownColumns => " (or --columns names or numbers those of x, y and z)",
+        ReadErrorKind::UnknownColumns => {
+            " (or --columns names or numbers those of x, y and z: `--columns 2,3,4`)"
+        }
         _ => "",
     }
 }

@@ -87,9 +87,7 @@ pub(crate) fn format_of_input(
         .ok_or_else(|| {
             let name = file.input_name();
             if let Some(command) = file.path().and_then(unread::command) {
-                return Failure::Usage(format!(
-                    "{name} is not read, but what this makes of it: {command}"
-                ));
+                return Failure::Error(format!("{name} is not read: convert it, {command}"));
             }
             let other = file.path().and_then(unread::other_name);
             if let Some(format) = other.and_then(|name| Format::named(name, formats)) {
@@ -191,7 +189,8 @@ pub(crate) struct FilesRead {
     identities: Vec<Identity>,
     unpacked_limit: Option<ByteSize>,
     height_property: Option<String>,
-    columns: Vec<String>,
+    /// The columns of the next file.
+    pub(crate) columns: Vec<String>,
     no_value: Option<f64>,
     has_faces: bool,
     /// Whether greatest areas of regions count.
@@ -256,9 +255,10 @@ impl FilesRead {
         if !self.takes_areas {
             file = file.without_areas();
         }
-        if let Some(value) = self.no_value {
-            file = file.without_value(value);
-        }
+        file = match self.no_value {
+            Some(value) => file.without_value(value),
+            None => file.with_voids_said(),
+        };
         self.say_of(name, &file)?;
         file.remarks.clear();
         Ok(file)

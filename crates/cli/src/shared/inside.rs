@@ -37,7 +37,8 @@ pub(crate) struct InsideArgs {
 
 /// The rule for a file where none is asked for.
 pub(crate) fn default_of<S>(file: &GraphFile<S>) -> Inside {
-    Inside::default_of(!file.graph.holes.is_empty(), !file.polygons.is_empty())
+    let has_seeds = !file.graph.holes.is_empty() || !file.region_areas.is_empty();
+    Inside::default_of(has_seeds, !file.polygons.is_empty())
 }
 
 /// Refuses a rule that a file says nothing about; `name` is what messages call it.

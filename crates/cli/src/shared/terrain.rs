@@ -3,7 +3,7 @@
 use sweep_cdt::crossings::Exact;
 use sweep_cdt::interior::Interior;
 use sweep_cdt::{Bands, Triangulator};
-use sweep_cdt_engine::{Remark, remarks};
+use sweep_cdt_engine::{Inside, Remark, remarks};
 use sweep_cdt_formats::{Coordinate, GraphFile, Input};
 use sweep_cdt_terrain::Surface;
 
@@ -47,6 +47,11 @@ impl TerrainArgs {
     /// The name of the input in messages.
     pub(crate) fn name(&self) -> String {
         self.input.name()
+    }
+
+    /// The rule for what of a file is inside.
+    pub(crate) fn rule<S>(&self, file: &GraphFile<S>) -> Inside {
+        self.inside.rule(file).0
     }
 
     /// No files; the input is the first that is read.

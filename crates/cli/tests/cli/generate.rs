@@ -46,6 +46,7 @@ const HASHES: [&str; KINDS.len()] = [
     "alternating cc0821da6c263c19",
     "above-a-row 075a354bcd595ed5",
     "outliers 9b5432e40d0b0fb2",
+    "towers 7c6bbeb423729338",
     "leftwards b835ccb13f2ea22c",
 ];
 

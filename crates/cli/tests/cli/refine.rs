@@ -140,6 +140,21 @@ fn regions_have_areas_of_their_own() {
     assert!(largest("--region-area 1=2 --max-area 0.25") <= 0.25);
     let unknown = refine(&folder, "a.poly --region-area 7=1");
     assert_fails(&unknown, r#"a.poly: region "7" is not one of 1"#);
+    let unused =
+        "1 area of a region is not used: the rule hull has no regions (--inside holes has regions)";
+    let made = refine(&folder, "a.poly --inside hull --min-angle 20");
+    assert_eq!(text(&made.stderr), format!("note: a.poly: {unused}\n"));
+    let refused = refine(&folder, "a.poly --inside hull --strict");
+    assert_fails(
+        &refused,
+        &format!("a.poly: {unused}; --strict refuses that"),
+    );
+    let nothing = refine(&folder, "a.poly --inside hull --region-area 1=2");
+    let advice = "nor any other region; the rule is hull: --inside holes has regions";
+    assert_fails(
+        &nothing,
+        &format!(r#"a.poly: there is no region "1", {advice}"#),
+    );
     let other = crate::run(&folder, "a.poly -o m.obj");
     assert_eq!(other.status.code(), Some(0));
     let ignored = "note: a.poly: ignored: 1 area of a region\n";
@@ -148,6 +163,18 @@ fn regions_have_areas_of_their_own() {
         "{}",
         text(&other.stderr)
     );
+}
+
+/// Areas of regions ask for their rule, as holes do.
+#[test]
+fn areas_count_without_holes() {
+    let poly = FRAME.replace("1\n1 4 5\n1\n1 1 2 0.5\n", "0\n1\n1 1 2 0.5 0.5\n");
+    let folder = folder(&[("a.poly", &poly)]);
+    printed(&refine(&folder, "a.poly -o m.json"));
+    let report = verify(&folder, "m.json --max-area 0.5");
+    assert_eq!(report.status.code(), Some(1), "the square in it is free");
+    let mesh = object(folder.path(), "m.json");
+    assert!(count(&mesh["triangles"]) > 150, "{mesh}");
 }
 
 #[test]

@@ -128,8 +128,10 @@ fn contradicting_heights_are_said_by_every_command() {
 #[test]
 fn a_number_can_mean_that_there_is_none() {
     let arguments = "contours nodata_9999.xyz --every 1000";
-    let (out, _) = done(arguments);
+    let (out, said) = done(arguments);
     assert!(out.contains("heights -9999 to 16"), "{out}");
+    let hint = "2 heights are -9999, which often means that there is none (--no-value takes a number for that)";
+    assert_eq!(said, format!("note: nodata_9999.xyz: {hint}\n"));
     let (out, said) = done(&format!("{arguments} --no-value -9999"));
     assert!(out.contains("heights 12 to 14"), "{out}");
     let note = "note: nodata_9999.xyz: 2 numbers are -9999 and counted as missing\n";

@@ -118,6 +118,58 @@ fn points_as_text_get_a_column_of_heights() {
     );
 }
 
+/// The columns of the terrain, and those of the points.
+#[test]
+fn columns_are_chosen_of_both_files() {
+    let survey = "1,0,0,0\n2,4,0,0\n3,0,4,8\n";
+    let folder = folder(&[("a.csv", survey), ("b.csv", "1,1,0,77\n2,1,1,0\n3,0,2,0\n")]);
+    let heights = |arguments: &str| {
+        let output = sweep_cdt(&folder, &format!("heights a.csv --at b.csv {arguments}")).output();
+        output.expect("the command starts")
+    };
+    let counts = "the columns have no names, and the first counts the rows, 1, 2, 3 and so on, as names of points do: \
+                  put names in the first row, x and y among them";
+    let way_out = "names or numbers those of x, y and z: `";
+    let refused = format!("a.csv: {counts} (or --columns {way_out}--columns 2,3,4`)");
+    assert_fails(&heights(""), &refused);
+    let refused = format!("b.csv: {counts} (or --at-columns {way_out}--at-columns 2,3,4`)");
+    assert_fails(&heights("--columns 2,3,4"), &refused);
+    let made = heights("--columns 2,3,4 --at-columns 2,3 --output-format xyz");
+    assert_eq!(
+        text(&made.stdout),
+        "x y z column1 column4\n1 0 0 1 77\n1 1 2 2 0\n0 2 4 3 0\n"
+    );
+}
+
+/// A feature for each point, and nothing of the name that GDAL gives to all of them.
+#[test]
+fn points_of_a_map_are_features() {
+    let feature = |x: u8, y: u8| {
+        format!(
+            r#"{{"type":"Feature","properties":{{"id":7}},"geometry":{{"type":"Point","coordinates":[{x},{y}]}}}}"#
+        )
+    };
+    let wells = format!(
+        r#"{{"type":"FeatureCollection","name":"wells","features":[{},{}]}}"#,
+        feature(2, 1),
+        feature(2, 2)
+    );
+    let folder = folder(&[("a.poly", PYRAMID), ("b.geojson", &wells)]);
+    let output = sweep_cdt(&folder, "heights a.poly --at b.geojson").output();
+    let output = output.expect("the command starts");
+    assert_eq!(
+        text(&output.stderr),
+        "note: b.geojson: ignored: 2 properties `id`\n"
+    );
+    let point = r#"{"type":"Feature","properties":{},"geometry":{"type":"Point","coordinates":"#;
+    assert_eq!(
+        text(&output.stdout),
+        format!(
+            "{{\"type\":\"FeatureCollection\",\"features\":[\n{point}[2,1,5]}}}},\n{point}[2,2,10]}}}}]}}\n"
+        )
+    );
+}
+
 /// A polygon bounds the lines, its coordinate system goes through, and a vertex without a height gets one on request.
 #[test]
 fn maps_keep_their_outlines_and_systems() {

@@ -35,6 +35,25 @@ pub(crate) fn refuted(output: &Output) -> &str {
     text(&output.stdout)
 }
 
+/// Where the faces of a mesh are its edges, no side can break a rule of Delaunay.
+#[test]
+fn nothing_is_asked_of_delaunay_where_all_sides_are_edges() {
+    let bad = "v 0 0\nv 4 0\nv 5 3\nv 0 3\nf 1 2 3\nf 1 3 4\n";
+    let folder = folder(&[("bad.obj", bad)]);
+    let asked = verify(&folder, "bad.obj bad.obj");
+    assert_eq!(asked.status.code(), Some(1));
+    let with_faces = verify(&folder, "bad.obj bad.obj --faces");
+    let remark = "of 1 side between two triangles each is an edge: nothing was asked of Delaunay";
+    assert_eq!(
+        text(&with_faces.stderr),
+        format!("note: bad.obj: {remark}\n")
+    );
+    printed(&verify(
+        &folder,
+        "bad.obj bad.obj --faces --strict --level constrained",
+    ));
+}
+
 #[track_caller]
 pub(crate) fn first_line(report: &str) -> &str {
     report.lines().next().expect("a line")

@@ -13,14 +13,11 @@ pub(crate) const HEURISTICS: Experiment = Experiment {
     name: "heuristics",
     about: "What do the heuristics of the point event buy: narrow corners, up to which angle, and basins?",
     cells: |quick| {
-        cells(
-            KINDS,
-            if quick {
-                &[10_000]
-            } else {
-                &[100_000, 1_000_000]
-            },
-        )
+        if quick {
+            cells(KINDS, &[10_000], 1..=1)
+        } else {
+            cells(KINDS, &[100_000], 1..=5)
+        }
     },
     variants: |contestants| {
         let structure = default_structure(contestants);
@@ -37,6 +34,13 @@ pub(crate) const HEURISTICS: Experiment = Experiment {
             about: "Sides swapped by the legalization.",
             measure: |row| Some(row.flips as f64 / row.points.max(1) as f64),
             shape: Shape::Map,
+        },
+        View {
+            name: "angles",
+            title: "Flips, a point, by the greatest angle of an obtuse corner that is closed",
+            about: "Of the greatest number of points.",
+            measure: |row| Some(row.flips as f64 / row.points.max(1) as f64),
+            shape: Shape::Angles,
         },
         View {
             name: "in-circle",
@@ -133,7 +137,7 @@ pub(crate) const SCALARS: Experiment = Experiment {
     about: "What does exact arithmetic in other scalars cost on the same integers?",
     cells: |quick| {
         let sizes: &[usize] = if quick { &[3000] } else { &[10_000, 100_000] };
-        cells(&["integers", "lattice", "asterisk"], sizes)
+        cells(&["integers", "lattice", "asterisk"], sizes, 1..=1)
     },
     variants: |_| {
         vec![

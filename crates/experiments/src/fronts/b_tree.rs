@@ -1,7 +1,7 @@
 //! The standard library's B-tree, keyed by x and then by rank.
 //!
-//! Cost: O(log n) for a search and an update. A key counts the comparisons itself, in a counter of the
-//! thread; so one run at a time can be counted on a thread.
+//! Cost: O(log n) for a search and an update, whatever the front is like. The sweep takes no step. A key counts the
+//! comparisons itself, in a counter of the thread; so one run at a time can be counted on a thread.
 
 use std::cell::Cell;
 use std::cmp::Ordering;

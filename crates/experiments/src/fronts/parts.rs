@@ -1,6 +1,6 @@
-//! Parts that several structures are made of: the ranks of x for [`super::bit_set`] and
-//! [`super::rank_table`], the nodes of a tree and numbers that look random for [`super::treap`] and
-//! [`super::sample_tree`].
+//! Parts that several structures are made of: the ranks of x for [`super::number_set`] and
+//! [`super::rank_table`], equal intervals of x for [`super::uniform_table`] and [`super::fixed_table`], the nodes of a
+//! tree and numbers that look random for [`super::treap`] and [`super::sample_tree`].
 
 use sweep_cdt::front::{FrontInput, FrontNode, Work};
 
@@ -71,6 +71,43 @@ impl XRanks {
             other <= x
         });
         place.checked_sub(1)
+    }
+}
+
+/// Equal intervals between the least and the greatest finite x.
+#[derive(Clone, Debug, Default)]
+pub(super) struct EqualIntervals {
+    count: usize,
+    /// `x` lies in interval number `(x - low) * factor`.
+    low: f64,
+    factor: f64,
+}
+
+impl EqualIntervals {
+    /// So many intervals, one at least.
+    pub(super) fn new(input: FrontInput<'_>, count: usize) -> EqualIntervals {
+        let xs = (0..input.len()).map(|v| input.x(v));
+        let ends = xs
+            .filter(|x| x.is_finite())
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| {
+                [low.min(x), high.max(x)]
+            });
+        let mut intervals = EqualIntervals {
+            count,
+            ..EqualIntervals::default()
+        };
+        let factor = count as f64 / (ends[1] - ends[0]);
+        if factor.is_finite() && factor > 0.0 {
+            (intervals.low, intervals.factor) = (ends[0], factor);
+        }
+        intervals
+    }
+
+    /// The number of the interval of `x`.
+    pub(super) fn number(&self, x: f64) -> usize {
+        // Saturates; what is no number is 0.
+        let number = ((x - self.low) * self.factor) as usize;
+        number.min(self.count - 1)
     }
 }
 

@@ -1,72 +1,37 @@
-//! A hash table over ranks of x: the intervals hold equally many of the vertices, wherever they crowd.
+//! A table over ranks of x ([`super::interval_table`]): the intervals hold equally many of the vertices, wherever
+//! they crowd.
 //!
-//! Every interval remembers the node that joined in it last. If that has left the front, the nearest
-//! interval on either side that has one is taken.
-//!
-//! Why it is right: ranks are in the order of x ([`super::parts`]), so the node found is near.
+//! Why it is right: ranks are in the order of x ([`super::parts`]).
 //!
 //! Cost: O(1) expected for a search where the front is spread over the vertices as they are from left to
-//! right; O(n) at worst. The ranks cost a sort once.
+//! right. At worst a search looks through O(sqrt(n)) intervals, and the sweep walks over O(n) nodes: those of intervals
+//! whose last node has left. An update costs O(1). The ranks cost a sort once.
 
-use sweep_cdt::front::{Front, FrontInput, FrontNode, FrontSearch, Work};
+use sweep_cdt::front::{FrontInput, FrontNode, Work};
 
+use super::interval_table::{IntervalTable, Intervals};
 use super::parts::XRanks;
-use super::structure::Structure;
 
-/// A hash table with 2 sqrt(n) intervals of equally many x: O(1) expected.
+/// A table with 2 sqrt(n) intervals of equally many x: O(1) expected.
+pub type RankTable = IntervalTable<ByRank>;
+
+/// The intervals of equally many ranks.
 #[derive(Clone, Debug, Default)]
-pub struct RankTable {
-    ranks: XRanks,
-    table: Vec<Option<FrontNode>>,
-    work: Work,
-}
+pub struct ByRank(XRanks);
 
-impl RankTable {
-    fn interval(&self, rank: usize) -> usize {
-        rank * self.table.len() / self.ranks.len()
-    }
-}
-
-impl FrontSearch for RankTable {
-    fn begin(&mut self, input: FrontInput<'_>) {
-        self.work = Work::default();
-        self.ranks = XRanks::new(input, &mut self.work);
-        self.table.clear();
-        self.table.resize(2 * input.len().isqrt() + 1, None);
-        self.work.bytes += size_of_val(&self.table[..]) as u64;
+impl Intervals for ByRank {
+    fn begin(&mut self, input: FrontInput<'_>, work: &mut Work) -> usize {
+        self.0 = XRanks::new(input, work);
+        2 * input.len().isqrt() + 1
     }
 
-    fn locate(&mut self, x: f64, front: &Front) -> FrontNode {
-        let Some(rank) = self.ranks.last_up_to(x, &mut self.work) else {
-            return front.left_end();
-        };
-        let at = self.interval(rank);
-        let around = (0..self.table.len()).flat_map(|i| [at.checked_sub(i), Some(at + i)]);
-        for interval in around.flatten() {
-            let Some(entry) = self.table.get_mut(interval) else {
-                continue;
-            };
-            self.work.visited += 1;
-            if let Some(node) = *entry {
-                if front.contains(node) {
-                    return node;
-                }
-                *entry = None;
-            }
-        }
-        front.left_end()
+    fn of(&self, x: f64, count: usize, work: &mut Work) -> usize {
+        let rank = self.0.last_up_to(x, work);
+        // Without points there are no ranks, and one interval.
+        rank.unwrap_or(0) * count / self.0.len().max(1)
     }
 
-    fn inserted(&mut self, node: FrontNode, _: f64) {
-        let rank = self.ranks.join(node);
-        let interval = self.interval(rank);
-        self.table[interval] = Some(node);
-        self.work.updates += 1;
-    }
-}
-
-impl Structure for RankTable {
-    fn work(&self) -> Option<Work> {
-        Some(self.work)
+    fn joined(&mut self, node: FrontNode) {
+        self.0.join(node);
     }
 }

@@ -4,8 +4,9 @@
 //! Why it is right: splaying keeps the order of the keys. The root is then the last node on the way to the
 //! place searched, so it is beside that place among the sampled nodes.
 //!
-//! Cost: O(log n) for a search, averaged over a run, and a walk of some ten steps; nine of ten updates cost
-//! nothing. A fixed hash of rank and seed draws the sample.
+//! Cost: O(log n) for a search and an update, averaged over a run, and O(n) for a single one. Nine of ten updates cost
+//! nothing. The sweep walks some ten steps, whatever the front is like; but a fixed hash of rank and seed draws the
+//! sample, and against points made by who knows the seed it walks O(n).
 
 use std::cmp::Ordering;
 

@@ -45,7 +45,8 @@ impl Structure for Linear {
 
 /// The walk from the left end: no structure at all, and no memory of the last place either.
 ///
-/// Cost: O(n) for a search on a front of n nodes, all of it steps of the sweep.
+/// Cost: O(1) for a search and nothing for an update; the sweep walks over the whole front, O(n), and half of it on
+/// average.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FromEnd;
 

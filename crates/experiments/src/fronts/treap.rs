@@ -4,8 +4,8 @@
 //! Why it is right: an update splits a subtree at a key, or joins two of which one is before the other; both
 //! keep the order of the keys and that of the priorities.
 //!
-//! Cost: O(log n) expected for a search and an update. A fixed hash of rank and seed makes the priorities,
-//! so the tree is the same in every run.
+//! Cost: O(log n) expected for a search and an update. The sweep takes no step. A fixed hash of rank and seed makes the
+//! priorities, so the tree is the same in every run; and against points made by who knows the seed both take O(n).
 
 use sweep_cdt::front::{Front, FrontInput, FrontNode, FrontSearch, Work};
 
@@ -140,10 +140,25 @@ impl Structure for Treap {
 
 #[cfg(test)]
 mod tests {
-    use sweep_cdt::front::{FrontNode, FrontSearch};
+    use sweep_cdt::front::{Front, FrontNode, FrontSearch};
 
-    use super::super::parts::{LEFT, NONE, RIGHT};
+    use super::super::parts::{LEFT, NONE, RIGHT, mixed};
     use super::Treap;
+
+    /// Who knows the hash can make a tree without branches.
+    #[test]
+    fn a_front_against_the_hash_is_a_path() {
+        const NODES: usize = 500;
+        let mut nodes: Vec<FrontNode> = (0..NODES).map(FrontNode::from_rank).collect();
+        nodes.sort_by_key(|&node| mixed(node, 3));
+        let mut treap = Treap::new(3);
+        for (x, &node) in nodes.iter().rev().enumerate() {
+            treap.inserted(node, x as f64);
+        }
+        let before = treap.work.visited;
+        treap.locate(NODES as f64, &Front::new(NODES));
+        assert_eq!(treap.work.visited - before, NODES as u64);
+    }
 
     /// Priorities fall from every node to its children, whatever joined and left before.
     #[test]

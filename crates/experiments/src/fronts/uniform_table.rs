@@ -8,19 +8,19 @@
 //! Why it is right: an interval to the left holds smaller x only.
 //!
 //! Cost: O(1) expected for a search where x spreads evenly and there are about as many intervals as nodes
-//! on the front; O(n) where all nodes crowd in one interval, or nearly all intervals are empty.
+//! on the front; O(n) where all nodes crowd in one interval, or nearly all intervals are empty. A node that leaves is
+//! looked for in its interval, O(n) where all crowd in one. The sweep takes no step.
 
 use sweep_cdt::front::{Front, FrontInput, FrontNode, FrontSearch, Work};
 
+use super::parts::EqualIntervals;
 use super::structure::Structure;
 
 /// A hash table with equal intervals of x: O(1) expected, O(n) at worst. How many is a parameter.
 #[derive(Clone, Debug)]
 pub struct UniformTable {
     entries: fn(vertices: usize) -> usize,
-    /// `x` lies in interval number `(x - low) * factor`.
-    low: f64,
-    factor: f64,
+    intervals: EqualIntervals,
     table: Vec<Vec<(f64, FrontNode)>>,
     nodes: usize,
     work: Work,
@@ -31,41 +31,25 @@ impl UniformTable {
     pub fn new(entries: fn(vertices: usize) -> usize) -> UniformTable {
         UniformTable {
             entries,
-            low: 0.0,
-            factor: 0.0,
+            intervals: EqualIntervals::default(),
             table: Vec::new(),
             nodes: 0,
             work: Work::default(),
         }
-    }
-
-    fn interval(&self, x: f64) -> usize {
-        // Saturates; what is no number is 0.
-        let number = ((x - self.low) * self.factor) as usize;
-        number.min(self.table.len() - 1)
     }
 }
 
 impl FrontSearch for UniformTable {
     fn begin(&mut self, input: FrontInput<'_>) {
         let count = (self.entries)(input.len()).max(1);
-        let xs = (0..input.len()).map(|v| input.x(v));
-        let ends = xs
-            .filter(|x| x.is_finite())
-            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| {
-                [low.min(x), high.max(x)]
-            });
-        let factor = count as f64 / (ends[1] - ends[0]);
         *self = UniformTable::new(self.entries);
-        if factor.is_finite() && factor > 0.0 {
-            (self.low, self.factor) = (ends[0], factor);
-        }
+        self.intervals = EqualIntervals::new(input, count);
         self.table.resize(count, Vec::new());
         self.work.hold::<Vec<(f64, FrontNode)>>(count);
     }
 
     fn locate(&mut self, x: f64, front: &Front) -> FrontNode {
-        for interval in (0..=self.interval(x)).rev() {
+        for interval in (0..=self.intervals.number(x)).rev() {
             self.work.visited += 1;
             let mut last: Option<(f64, FrontNode)> = None;
             for &entry in &self.table[interval] {
@@ -82,7 +66,7 @@ impl FrontSearch for UniformTable {
     }
 
     fn inserted(&mut self, node: FrontNode, x: f64) {
-        let interval = self.interval(x);
+        let interval = self.intervals.number(x);
         self.table[interval].push((x, node));
         self.nodes += 1;
         self.work.updates += 1;
@@ -92,7 +76,7 @@ impl FrontSearch for UniformTable {
     }
 
     fn removed(&mut self, node: FrontNode, x: f64) {
-        let interval = self.interval(x);
+        let interval = self.intervals.number(x);
         let nodes = &mut self.table[interval];
         let place = nodes.iter().position(|entry| entry.1 == node);
         let place = place.expect("the node is in the interval of its x");

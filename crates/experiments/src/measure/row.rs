@@ -1,6 +1,4 @@
-//! A row of the CSV file: what one variant did on one input.
-
-use std::time::Duration;
+//! A row of the CSV files: what one variant did on one input, and how long each of its turns took.
 
 use serde::{Deserialize, Serialize};
 use sweep_cdt::Stats;
@@ -8,13 +6,13 @@ use sweep_cdt::front::Work;
 
 use super::watched::Seen;
 
-/// The columns. All up to `repetitions` are the same in every run and on every platform; the others, whose
-/// names end in `_ms`, are times.
+/// The columns of counts, the same in every run; those up to `pierced` on every platform, too.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Row {
     pub(crate) data: String,
     /// The number of points asked for.
     pub(crate) size: usize,
+    pub(crate) seed: u64,
     pub(crate) variant: String,
     /// Whether the variant was left out, as it would have taken too long. Then nothing but points and edges is
     /// counted.
@@ -69,18 +67,53 @@ pub(crate) struct Row {
     pub(crate) edges_inserted: u64,
     pub(crate) pierced: u64,
 
-    pub(crate) repetitions: usize,
-    /// Medians over the repetitions.
+    /// Of one turn under Cachegrind, and what it depends on; empty where it was not asked for.
+    pub(crate) instructions: Option<u64>,
+    pub(crate) mispredicted: Option<u64>,
+    pub(crate) first_misses: Option<u64>,
+    pub(crate) second_misses: Option<u64>,
+    pub(crate) built: String,
+
+    /// In a file of their own.
+    #[serde(skip)]
+    pub(crate) turns: Vec<Turn>,
+}
+
+/// The columns of a turn: times on the clock in milliseconds, of the parts of the algorithm and of the whole call, and
+/// the processor's time of the call; empty where the system does not tell it.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Turn {
+    pub(crate) data: String,
+    pub(crate) size: usize,
+    pub(crate) seed: u64,
+    pub(crate) variant: String,
+    pub(crate) turn: usize,
     pub(crate) initialization_ms: f64,
     pub(crate) sweeping_ms: f64,
     pub(crate) finalization_ms: f64,
-    pub(crate) total_ms: f64,
-    pub(crate) least_ms: f64,
-    pub(crate) greatest_ms: f64,
-    /// The processor's time of the whole call: median, least and greatest; empty where it is not told.
+    pub(crate) clock_ms: f64,
     pub(crate) processor_ms: Option<f64>,
-    pub(crate) processor_least_ms: Option<f64>,
-    pub(crate) processor_greatest_ms: Option<f64>,
+    pub(crate) commit: String,
+    pub(crate) processor: String,
+}
+
+impl Turn {
+    /// The time by which variants are compared: the processor's, or where it is not told the clock's.
+    pub(crate) fn ms(&self) -> f64 {
+        self.processor_ms.unwrap_or(self.clock_ms)
+    }
+
+    /// Whether other programs took the processor for more than a tenth of the turn.
+    pub(crate) fn is_disturbed(&self) -> bool {
+        self.processor_ms
+            .is_some_and(|processor| self.clock_ms > 1.1 * processor)
+    }
+
+    /// Whether this is a turn of this row.
+    pub(crate) fn is_of(&self, row: &Row) -> bool {
+        (&self.data, self.size, self.seed, &self.variant)
+            == (&row.data, row.size, row.seed, &row.variant)
+    }
 }
 
 impl Row {
@@ -139,70 +172,29 @@ impl Row {
         self.bytes = work.map(|work| work.bytes);
     }
 
-    /// Medians and the spread of the times of all repetitions.
-    pub(super) fn time(&mut self, runs: &[Timed]) {
-        let sorted = |time: &dyn Fn(&Timed) -> Option<Duration>| {
-            let mut times: Vec<f64> = runs
-                .iter()
-                .filter_map(|run| Some(1e3 * time(run)?.as_secs_f64()))
-                .collect();
-            times.sort_by(f64::total_cmp);
-            times
-        };
-        let median = |times: &[f64]| times.get(times.len() / 2).copied();
-        let phase = |time: fn(&Stats) -> Duration| {
-            median(&sorted(&|run| Some(time(&run.stats)))).unwrap_or_default()
-        };
-        self.repetitions = runs.len();
-        self.initialization_ms = phase(|stats| stats.initialization);
-        self.sweeping_ms = phase(|stats| stats.sweeping);
-        self.finalization_ms = phase(|stats| stats.finalization);
-        let total = sorted(&|run| {
-            let stats = &run.stats;
-            Some(stats.initialization + stats.sweeping + stats.finalization)
-        });
-        self.total_ms = median(&total).unwrap_or_default();
-        self.least_ms = total.first().copied().unwrap_or_default();
-        self.greatest_ms = total.last().copied().unwrap_or_default();
-        let processor = sorted(&|run| run.processor);
-        self.processor_ms = median(&processor);
-        self.processor_least_ms = processor.first().copied();
-        self.processor_greatest_ms = processor.last().copied();
-    }
-
-    /// The times by which variants are compared: the processor's, or where it is not told that on the clock.
-    /// Median, least and greatest.
-    pub(crate) fn times_ms(&self) -> [f64; 3] {
-        [
-            self.processor_ms.unwrap_or(self.total_ms),
-            self.processor_least_ms.unwrap_or(self.least_ms),
-            self.processor_greatest_ms.unwrap_or(self.greatest_ms),
-        ]
-    }
-
-    /// Nanoseconds a point of the median; `None` if no time was measured.
+    /// Nanoseconds a point of the median turn; `None` if no time was measured.
     pub(crate) fn ns_per_point(&self) -> Option<f64> {
-        self.per_point(self.times_ms()[0])
+        self.per_point(Turn::ms)
     }
 
-    /// Nanoseconds a point of the least time.
-    pub(crate) fn least_ns_per_point(&self) -> Option<f64> {
-        self.per_point(self.times_ms()[1])
+    /// Nanoseconds a point of initialization, sweeping and finalization (section 3.2) on the clock; medians.
+    pub(crate) fn phases(&self) -> Option<[f64; 3]> {
+        Some([
+            self.per_point(|turn| turn.initialization_ms)?,
+            self.per_point(|turn| turn.sweeping_ms)?,
+            self.per_point(|turn| turn.finalization_ms)?,
+        ])
     }
 
-    /// Nanoseconds a point of the phases on the clock together.
-    pub(crate) fn phases_ns_per_point(&self) -> Option<f64> {
-        self.per_point(self.total_ms)
-    }
-
-    fn per_point(&self, ms: f64) -> Option<f64> {
-        (self.repetitions > 0).then(|| 1e6 * ms / self.points.max(1) as f64)
+    fn per_point(&self, ms: fn(&Turn) -> f64) -> Option<f64> {
+        let median = median(self.turns.iter().map(ms))?;
+        Some(1e6 * median / self.points.max(1) as f64)
     }
 }
 
-/// A run whose time counts.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Timed {
-    pub(super) stats: Stats,
-    pub(super) processor: Option<Duration>,
+/// The number in the middle, of an even count the greater one.
+pub(crate) fn median(numbers: impl Iterator<Item = f64>) -> Option<f64> {
+    let mut sorted: Vec<f64> = numbers.collect();
+    sorted.sort_by(f64::total_cmp);
+    sorted.get(sorted.len() / 2).copied()
 }

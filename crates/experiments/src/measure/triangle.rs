@@ -8,7 +8,6 @@
 use std::error::Error;
 use std::path::Path;
 use std::process::Command;
-use std::time::Duration;
 use std::{fs, io};
 
 use sweep_cdt::Pslg;
@@ -16,7 +15,7 @@ use sweep_cdt::verify::verify;
 use sweep_cdt_formats::{Format, GraphFile, Source, read_result, write_graph};
 use sweep_cdt_testing::Input;
 
-use super::row::{Row, Timed};
+use super::row::{Row, Turn};
 use super::variant::Variant;
 
 /// The name of the variant.
@@ -32,9 +31,9 @@ impl Variant {
             move |input| {
                 let folder = tempfile::tempdir()?;
                 let printed = run(&timed, "-pcNEP", folder.path(), &file(input))?;
-                Ok(Timed {
-                    processor: Some(milliseconds(&printed)?),
-                    ..Timed::default()
+                Ok(Turn {
+                    clock_ms: milliseconds(&printed)?,
+                    ..Turn::default()
                 })
             },
         )
@@ -81,8 +80,8 @@ fn run(
 }
 
 /// The times of the triangulation and of the segments.
-fn milliseconds(printed: &str) -> Result<Duration, Box<dyn Error>> {
-    let of = |what: &str| -> Result<u64, Box<dyn Error>> {
+fn milliseconds(printed: &str) -> Result<f64, Box<dyn Error>> {
+    let of = |what: &str| -> Result<f64, Box<dyn Error>> {
         let line = format!("{what} milliseconds:");
         let number = printed.lines().find_map(|text| text.strip_prefix(&line));
         Ok(number
@@ -90,7 +89,7 @@ fn milliseconds(printed: &str) -> Result<Duration, Box<dyn Error>> {
             .trim()
             .parse()?)
     };
-    Ok(Duration::from_millis(of("Delaunay")? + of("Segment")?))
+    Ok(of("Delaunay")? + of("Segment")?)
 }
 
 #[cfg(test)]
@@ -101,7 +100,7 @@ mod tests {
     fn times_are_read_from_what_is_printed() {
         let printed = "Opening a.poly.\nDelaunay milliseconds:  27\nRecovering segments.\n\
                        Segment milliseconds:  5\nOutput milliseconds:  9\n";
-        assert_eq!(milliseconds(printed).expect("both").as_millis(), 32);
+        assert_eq!(milliseconds(printed).expect("both"), 32.0);
         assert!(milliseconds("Delaunay milliseconds:  27\n").is_err());
     }
 }

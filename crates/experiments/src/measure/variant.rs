@@ -3,21 +3,21 @@
 
 use std::error::Error;
 use std::fmt;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use sweep_cdt::{Algorithm, Heuristics, Stats, Triangulation, Triangulator, Watch};
 use sweep_cdt_testing::counted::Counted;
 use sweep_cdt_testing::runs::{Sample, convert};
 use sweep_cdt_testing::{Input, counted, watched};
 
-use super::row::{Row, Timed};
+use super::row::{Row, Turn};
 use super::watched::Watched;
 use crate::contestant::Contestant;
 use crate::fronts::Structure;
 
 type Result<T> = std::result::Result<T, Box<dyn Error>>;
 type Count = dyn Fn(&Input, &mut Row) -> Result<()>;
-type Time = dyn Fn(&Input) -> Result<Timed>;
+type Time = dyn Fn(&Input) -> Result<Turn>;
 
 /// One way to triangulate.
 pub(crate) struct Variant {
@@ -39,7 +39,7 @@ impl Variant {
     pub(super) fn new(
         name: &str,
         count: impl Fn(&Input, &mut Row) -> Result<()> + 'static,
-        time: impl Fn(&Input) -> Result<Timed> + 'static,
+        time: impl Fn(&Input) -> Result<Turn> + 'static,
     ) -> Variant {
         Variant {
             name: name.to_owned(),
@@ -118,19 +118,24 @@ impl Variant {
     }
 
     /// Triangulates once, for the times.
-    pub(super) fn time(&self, input: &Input) -> Result<Timed> {
+    pub(crate) fn time(&self, input: &Input) -> Result<Turn> {
         (self.time)(input)
     }
 }
 
-/// A run with the processor's time that it took.
-fn timed(run: impl FnOnce() -> Result<Stats>) -> Result<Timed> {
-    let start = processor();
+/// A turn: a run with the time that it took.
+fn timed(run: impl FnOnce() -> Result<Stats>) -> Result<Turn> {
+    let (clock, start) = (Instant::now(), processor());
     let stats = run()?;
     let taken = processor().zip(start).map(|(end, start)| end - start);
-    Ok(Timed {
-        stats,
-        processor: taken,
+    let ms = |time: Duration| (1e7 * time.as_secs_f64()).round() / 1e4;
+    Ok(Turn {
+        initialization_ms: ms(stats.initialization),
+        sweeping_ms: ms(stats.sweeping),
+        finalization_ms: ms(stats.finalization),
+        clock_ms: ms(clock.elapsed()),
+        processor_ms: taken.map(ms),
+        ..Turn::default()
     })
 }
 
@@ -183,7 +188,7 @@ impl Variant {
                 row.result = result.to_owned();
                 Ok(())
             }),
-            time: Box::new(|_| Ok(Timed::default())),
+            time: Box::new(|_| Ok(Turn::default())),
         }
     }
 }

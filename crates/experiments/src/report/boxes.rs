@@ -1,8 +1,10 @@
 //! Plots of boxes with numbers in them: maps, and bars of the parts of the algorithm.
 
-use plotters::style::{BLACK, RGBColor};
+use plotters::style::{BLACK, Color, RGBColor, WHITE};
 
-use super::canvas::{BLUE, GREY, ORANGE, Place, TEXT, TITLE, fill, ink, svg, text, tint};
+use super::canvas::{
+    Area, BLUE, GREY, ORANGE, Place, TEXT, TITLE, fill, ink, line, svg, text, tint,
+};
 use super::table::{Entry, Table};
 use super::view::{View, short, size as short_size};
 use crate::measure::Row;
@@ -13,6 +15,9 @@ const NAMES: i32 = 215;
 const HEADS: i32 = 145;
 const MARGIN: i32 = 10;
 
+const LEGEND: &str =
+    "= no difference of 5 % is sure; framed: faster than the first; darker: slower, up to 4 times";
+
 /// A map: a box for each variant and column, with its number, and darker where it is larger.
 pub(super) fn map(table: &Table, scale: Scale) -> String {
     let [columns, lines] = [table.columns.len(), table.lines.len()]
@@ -20,10 +25,15 @@ pub(super) fn map(table: &Table, scale: Scale) -> String {
     // Room for the title, whatever the columns need.
     let title = i32::try_from(table.title.len()).expect("a short title") * 9 + 2 * MARGIN;
     let width = (NAMES + columns * BOX[0] + MARGIN).max(title);
-    let height = HEADS + lines * BOX[1] + MARGIN;
+    let legend = matches!(scale, Scale::Ratios);
+    let height = HEADS + lines * BOX[1] + MARGIN + if legend { BOX[1] } else { 0 };
     let size = [width, height].map(|pixels| u32::try_from(pixels).expect("positive"));
     svg((size[0], size[1]), |area| {
         text(area, &table.title, (MARGIN, 18), Place::Right, TITLE, BLACK);
+        if legend {
+            let at = (MARGIN, height - MARGIN - BOX[1] / 2);
+            text(area, LEGEND, at, Place::Right, TEXT - 2, BLACK);
+        }
         for (i, column) in (0..).zip(&table.columns) {
             let at = (NAMES + i * BOX[0] + BOX[0] / 2, HEADS - 6);
             text(area, column, at, Place::Upwards, TEXT, BLACK);
@@ -43,11 +53,18 @@ pub(super) fn map(table: &Table, scale: Scale) -> String {
                 let left = NAMES + i * BOX[0];
                 let (colour, number) = match *entry {
                     Entry::Number(x) => (scale.colour(x), short(x)),
+                    Entry::Ratio(ratio) if ratio.is_tie() => {
+                        (WHITE, format!("={}", short(ratio.middle)))
+                    }
+                    Entry::Ratio(ratio) => (scale.colour(ratio.middle), short(ratio.middle)),
                     Entry::LeftOut => (GREY, "left out".to_owned()),
                     Entry::Unknown => continue,
                 };
                 let corners = [(left, top), (left + BOX[0] - 1, top + BOX[1] - 1)];
                 fill(area, corners, colour);
+                if matches!(entry, Entry::Ratio(ratio) if ratio.verdict() == "loss") {
+                    frame(area, corners);
+                }
                 let at = (left + BOX[0] / 2, middle);
                 text(area, &number, at, Place::Middle, TEXT - 2, ink(colour));
             }
@@ -55,12 +72,24 @@ pub(super) fn map(table: &Table, scale: Scale) -> String {
     })
 }
 
+/// A line around a box.
+fn frame(area: &Area<'_>, [(left, top), (right, bottom)]: [(i32, i32); 2]) {
+    let corners = [
+        (left, top),
+        (right, top),
+        (right, bottom),
+        (left, bottom),
+        (left, top),
+    ];
+    line(area, corners.to_vec(), BLACK.stroke_width(2));
+}
+
 /// The colour of a number.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Scale {
     /// From white to blue by logarithm.
     Logarithmic { least: f64, greatest: f64 },
-    /// White at 1, blue at 4, orange at a quarter, by logarithm.
+    /// White at 1 and below, blue at 4, by logarithm.
     Ratios,
     /// White at 0, blue at 1.
     Exponents,
@@ -86,10 +115,7 @@ impl Scale {
                 let span = (greatest / least).ln().max(f64::MIN_POSITIVE);
                 tint(BLUE, (x.max(SMALLEST) / least).ln() / span)
             }
-            Scale::Ratios => {
-                let part = x.log(4.0);
-                tint(if part < 0.0 { ORANGE } else { BLUE }, part.abs())
-            }
+            Scale::Ratios => tint(BLUE, x.log(4.0)),
             Scale::Exponents => tint(BLUE, x),
         }
     }
@@ -114,7 +140,7 @@ pub(super) fn phases(view: &View, rows: &[Row]) -> String {
     ];
     let greatest = rows
         .iter()
-        .filter_map(Row::phases_ns_per_point)
+        .filter_map(|row| Some(row.phases()?.iter().sum()))
         .fold(f64::MIN_POSITIVE, f64::max);
     let count = i32::try_from(rows.len()).expect("few rows");
     let size = [LEFT + LENGTH + SUM, TOP + count * BAR + MARGIN]
@@ -130,21 +156,20 @@ pub(super) fn phases(view: &View, rows: &[Row]) -> String {
             let (top, middle) = (TOP + j * BAR, TOP + j * BAR + BAR / 2);
             let name = format!("{} {}, {}", row.data, short_size(row.points), row.variant);
             text(area, &name, (LEFT - 8, middle), Place::Left, TEXT, BLACK);
-            let times = [row.initialization_ms, row.sweeping_ms, row.finalization_ms];
-            let per_point = |time: f64| 1e6 * time / row.points.max(1) as f64;
-            let pixels = |time: f64| (per_point(time) / greatest * f64::from(LENGTH)) as i32;
+            let times = row.phases().unwrap_or_default();
+            let pixels = |time: f64| (time / greatest * f64::from(LENGTH)) as i32;
             let mut left = LEFT;
             for (time, (_, colour)) in times.into_iter().zip(parts) {
                 let right = left + pixels(time);
                 fill(area, [(left, top + 3), (right, top + BAR - 3)], colour);
-                let number = short(per_point(time));
+                let number = short(time);
                 if right - left > 40 {
                     let at = ((left + right) / 2, middle);
                     text(area, &number, at, Place::Middle, TEXT - 1, ink(colour));
                 }
                 left = right;
             }
-            let sum = short(times.map(per_point).iter().sum());
+            let sum = short(times.iter().sum());
             text(area, &sum, (left + 6, middle), Place::Right, TEXT, BLACK);
         }
     })

@@ -1,12 +1,14 @@
-//! Lines over the number of points, both axes logarithmic: a panel for each kind of data.
+//! Lines over the number of points with their fits, a panel for each kind of data; or over an angle, a line for each
+//! kind. All axes are logarithmic.
 
 use plotters::chart::ChartBuilder;
 use plotters::prelude::IntoLogRange;
 use plotters::style::{BLACK, Color, IntoFont, RGBColor, ShapeStyle};
 
 use super::canvas::{Area, DRAWN, FONT, LINES, Place, TEXT, TITLE, fill, line, svg, text, tint};
+use super::fit::Fit;
 use super::table::{Entry, distinct, entry};
-use super::view::View;
+use super::view::{Shape, View};
 use crate::measure::Row;
 
 /// Pixels of a panel, of the title above, and of a line of the legend.
@@ -16,77 +18,133 @@ const LEGEND: u32 = 22;
 /// Panels, and names of the legend, beside each other.
 const ACROSS: usize = 2;
 
+/// A panel: its title, and the points of each line, which has the same number in all panels.
+struct Panel {
+    title: String,
+    lines: Vec<(usize, Vec<[f64; 2]>)>,
+}
+
 pub(super) fn draw(view: &View, rows: &[Row]) -> String {
-    let kinds = distinct(rows.iter().map(|row| row.data.as_str()));
-    let shown = rows.iter().filter(|row| point(view, row).is_some());
-    let variants = distinct(shown.map(|row| row.variant.as_str()));
-    let bounds = bounds(view, rows);
+    let is_angles = view.shape == Shape::Angles;
+    // The kinds of data make the panels and the variants the lines, or the other way round.
+    let panel_of = |row: &Row| {
+        if is_angles {
+            angle(row).map(|(setting, _)| setting)
+        } else {
+            Some(row.data.clone())
+        }
+    };
+    let line_of = |row: &Row| {
+        if is_angles {
+            row.data.clone()
+        } else {
+            row.variant.clone()
+        }
+    };
+    let x_of = |row: &Row| {
+        if is_angles {
+            angle(row).map(|(_, degrees)| degrees)
+        } else {
+            Some(row.points as f64)
+        }
+    };
+    let is_shown = |row: &&Row| {
+        panel_of(row).is_some() && matches!(entry(view, &[row]), Entry::Number(y) if y > 0.0)
+    };
+    let greatest = rows.iter().map(|row| row.size).max();
+    let shown: Vec<&Row> = rows
+        .iter()
+        .filter(is_shown)
+        .filter(|row| !is_angles || Some(row.size) == greatest)
+        .collect();
+    let names = distinct(shown.iter().map(|row| line_of(row)));
+    let titles = distinct(shown.iter().filter_map(|row| panel_of(row)));
+    let panel = |title: String| {
+        let points = |name: &String| {
+            let own: Vec<&Row> = shown
+                .iter()
+                .copied()
+                .filter(|row| line_of(row) == *name && panel_of(row).as_ref() == Some(&title))
+                .collect();
+            let xs = distinct(own.iter().filter_map(|row| x_of(row)));
+            let at = xs.into_iter().filter_map(|x| {
+                let there: Vec<&Row> = own
+                    .iter()
+                    .copied()
+                    .filter(|row| x_of(row) == Some(x))
+                    .collect();
+                match entry(view, &there) {
+                    Entry::Number(y) => Some([x, y]),
+                    _ => None,
+                }
+            });
+            at.collect()
+        };
+        Panel {
+            lines: names.iter().map(points).enumerate().collect(),
+            title,
+        }
+    };
+    let panels: Vec<Panel> = titles.into_iter().map(panel).collect();
+    let bounds = bounds(
+        panels
+            .iter()
+            .flat_map(|panel| &panel.lines)
+            .flat_map(|(_, points)| points),
+        is_angles,
+    );
     let count = |n: usize| u32::try_from(n).expect("few");
-    let panels = [
-        count(kinds.len().min(ACROSS)),
-        count(kinds.len().div_ceil(ACROSS)),
-    ];
-    let names = count(variants.len().div_ceil(ACROSS));
+    let down = panels.len().div_ceil(ACROSS);
     let size = (
-        PANEL[0] * panels[0].max(2),
-        TOP + PANEL[1] * panels[1] + LEGEND * names + LEGEND,
+        PANEL[0] * count(ACROSS),
+        TOP + PANEL[1] * count(down) + LEGEND * count(names.len().div_ceil(ACROSS)) + LEGEND,
     );
     svg(size, |area| {
         text(area, view.title, (10, 18), Place::Right, TITLE, BLACK);
         let (_, below) = area.split_vertically(TOP);
-        let (upper, lower) = below.split_vertically(PANEL[1] * panels[1]);
-        let places = upper.split_evenly((kinds.len().div_ceil(ACROSS), panels[0].max(2) as usize));
-        for (kind, place) in kinds.iter().zip(&places) {
-            panel(place, kind, view, rows, &variants, bounds);
+        let (upper, lower) = below.split_vertically(PANEL[1] * count(down));
+        for (panel, place) in panels.iter().zip(&upper.split_evenly((down, ACROSS))) {
+            draw_panel(place, panel, bounds, is_angles);
         }
-        legend(&lower, &variants);
+        legend(&lower, &names);
     })
 }
 
-/// The least and greatest numbers of points, and those shown, all positive.
-fn bounds(view: &View, rows: &[Row]) -> [[f64; 2]; 2] {
+/// The setting and the angle in the name of a variant such as "one corner up to 104°".
+fn angle(row: &Row) -> Option<(String, f64)> {
+    let (setting, degrees) = row.variant.split_once(" up to ")?;
+    Some((setting.to_owned(), degrees.strip_suffix('°')?.parse().ok()?))
+}
+
+/// The least and greatest x and y, which are positive, with a margin.
+fn bounds<'a>(points: impl Iterator<Item = &'a [f64; 2]>, is_angles: bool) -> [[f64; 2]; 2] {
     let mut bounds = [[f64::INFINITY, f64::MIN_POSITIVE]; 2];
-    for [x, y] in rows.iter().filter_map(|row| point(view, row)) {
-        for (bounds, number) in bounds.iter_mut().zip([x, y]) {
+    for point in points {
+        for (bounds, &number) in bounds.iter_mut().zip(point) {
             *bounds = [bounds[0].min(number), bounds[1].max(number)];
         }
     }
-    bounds.map(|[low, high]| {
-        if low < high {
-            [low / 1.2, high * 1.2]
-        } else {
-            [0.1, 10.0]
-        }
-    })
+    let margins = if is_angles { [1.01, 1.2] } else { [1.2, 1.2] };
+    let around = |i: usize| match bounds[i] {
+        [low, high] if low < high => [low / margins[i], high * margins[i]],
+        _ => [0.1, 10.0],
+    };
+    [around(0), around(1)]
 }
 
-/// Points and number of a row. What is not positive has no place on the axis.
-fn point(view: &View, row: &Row) -> Option<[f64; 2]> {
-    match entry(view, row) {
-        Entry::Number(y) if y > 0.0 => Some([row.points as f64, y]),
-        _ => None,
-    }
-}
-
-fn panel(
-    area: &Area<'_>,
-    kind: &str,
-    view: &View,
-    rows: &[Row],
-    variants: &[&str],
-    [xs, ys]: [[f64; 2]; 2],
-) {
+fn draw_panel(area: &Area<'_>, panel: &Panel, [xs, ys]: [[f64; 2]; 2], is_angles: bool) {
     let mut chart = ChartBuilder::on(area)
-        .caption(kind, (FONT, TEXT + 2).into_font())
+        .caption(&panel.title, (FONT, TEXT + 2).into_font())
         .margin(12)
         .x_label_area_size(38)
         .y_label_area_size(56)
         .build_cartesian_2d((xs[0]..xs[1]).log_scale(), (ys[0]..ys[1]).log_scale())
         .expect(DRAWN);
+    let unit = if is_angles { "degrees" } else { "points" };
     chart
         .configure_mesh()
-        .x_desc("points")
-        .x_label_formatter(&|x| power(*x))
+        .x_desc(unit)
+        .x_label_formatter(&|x| if is_angles { String::new() } else { power(*x) })
         .y_label_formatter(&|_| String::new())
         .x_labels(6)
         .y_labels(1)
@@ -95,29 +153,50 @@ fn panel(
         .light_line_style(tint(BLACK, 0.05))
         .draw()
         .expect(DRAWN);
-    let pixel = |point: &(f64, f64)| {
-        let (x, y) = chart.plotting_area().map_coordinate(point);
+    let pixel = |[x, y]: [f64; 2]| {
+        let (x, y) = chart.plotting_area().map_coordinate(&(x, y));
         let (across, down) = area.get_pixel_range();
         (x - across.start, y - down.start)
     };
     for y in ticks(ys) {
-        let [left, right] = xs.map(|x| pixel(&(x, y)));
+        let [left, right] = xs.map(|x| pixel([x, y]));
         line(area, vec![left, right], tint(BLACK, 0.15).stroke_width(1));
         let at = (left.0 - 6, left.1);
         text(area, &y.to_string(), at, Place::Left, TEXT - 2, BLACK);
     }
-    for (i, variant) in variants.iter().enumerate() {
-        let own = rows
-            .iter()
-            .filter(|row| row.data == kind && row.variant == *variant);
-        let points: Vec<(f64, f64)> = own
-            .filter_map(|row| point(view, row))
-            .map(|[x, y]| (x, y))
-            .collect();
-        let points: Vec<(i32, i32)> = points.iter().map(pixel).collect();
-        line(area, points.clone(), colour(i).stroke_width(2));
-        for point in points {
-            mark(area, i, point);
+    if is_angles {
+        for x in (90..=180)
+            .step_by(5)
+            .map(f64::from)
+            .filter(|x| xs[0] <= *x && *x <= xs[1])
+        {
+            let (across, down) = pixel([x, ys[0]]);
+            text(
+                area,
+                &x.to_string(),
+                (across, down + 10),
+                Place::Middle,
+                TEXT - 2,
+                BLACK,
+            );
+        }
+    }
+    for (i, points) in &panel.lines {
+        let pixels: Vec<(i32, i32)> = points.iter().map(|&point| pixel(point)).collect();
+        match Fit::of(points) {
+            // The line is the fit, so that the residuals are seen.
+            Some(fit) if !is_angles => {
+                let ends = [points[0][0], points[points.len() - 1][0]];
+                line(
+                    area,
+                    ends.map(|x| pixel([x, fit.at(x)])).to_vec(),
+                    colour(*i).stroke_width(1),
+                );
+            }
+            _ => line(area, pixels.clone(), colour(*i).stroke_width(2)),
+        }
+        for point in pixels {
+            mark(area, *i, point);
         }
     }
 }
@@ -177,7 +256,7 @@ fn mark(area: &Area<'_>, i: usize, (x, y): (i32, i32)) {
     }
 }
 
-fn legend(area: &Area<'_>, variants: &[&str]) {
+fn legend(area: &Area<'_>, variants: &[String]) {
     for (i, variant) in variants.iter().enumerate() {
         let across = i32::try_from(i % ACROSS).expect("few");
         let down = i32::try_from(i / ACROSS).expect("few");

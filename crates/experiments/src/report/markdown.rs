@@ -1,13 +1,11 @@
 //! The text of a report: where, with what and how was measured, and the tables.
 
 use std::fmt::Write;
-use std::fs;
 use std::process::Command;
-use std::thread::available_parallelism;
 
 use super::table::{Entry, Table, distinct};
 use super::view::{Plot, View, short};
-use crate::measure::Row;
+use crate::measure::{Row, Turn, processor};
 
 /// How the rows came about.
 #[derive(Clone, Debug)]
@@ -15,7 +13,6 @@ pub(crate) struct Method<'a> {
     pub(crate) experiment: &'a str,
     pub(crate) about: &'a str,
     pub(crate) commit: &'a str,
-    pub(crate) seed: u64,
     pub(crate) repetitions: usize,
 }
 
@@ -25,31 +22,30 @@ pub(super) fn head(method: &Method<'_>, rows: &[Row]) -> String {
         experiment,
         about,
         commit,
-        seed,
         repetitions,
     } = method;
     let timed = if *repetitions == 0 {
         "No time was measured.".to_owned()
     } else {
         format!(
-            "Then all variants of a cell run in turn, {repetitions} times; a \
-             different one comes first each time. Times are medians over these turns of the processor's time, where \
+            "Then all variants of a cell run in turn, {repetitions} times, each \
+             time in another order. Times are medians over these turns of the processor's time, where \
              the system tells it; those of the phases are times on the clock. The counters of the crate are on then, \
              and those of all structures but the crate's own.\n\
              - Spread: in half of the rows the slowest turn took at most {:.0} % more than the fastest, in nine of \
-             ten at most {:.0} %.",
+             ten at most {:.0} %.{}",
             spread(rows, 0.5),
             spread(rows, 0.9),
+            disturbed(rows),
         )
     };
     let mut text = format!(
         "# {experiment}\n\n{about}\n\n## Method\n\n\
-         - Machine: {}. Compiler: {}. Commit: {commit}. Seed: {seed}.\n\
+         - Machine: {}. Compiler: {}. Commit: {commit}.\n\
          - Each variant runs once to count. {timed}\n\
          - All variants of a cell gave the same triangles, or there would be no report.\n\
-         - The numbers of all rows are in `{experiment}.csv`. All columns but those that end in `_ms` are the \
-         same in every run.\n\n",
-        machine(),
+         - Counts are in `{experiment}.csv`, the same in every run; all turns are in `{experiment}-turns.csv`.\n\n",
+        processor(),
         compiler(),
     );
     text.push_str(
@@ -81,14 +77,31 @@ pub(super) fn head(method: &Method<'_>, rows: &[Row]) -> String {
 
 /// By how many per cent the slowest turn exceeds the fastest, in this share of the rows at most.
 fn spread(rows: &[Row], share: f64) -> f64 {
-    let timed = rows.iter().filter(|row| row.repetitions > 0);
-    let mut spreads: Vec<f64> = timed
-        .map(|row| row.times_ms())
-        .map(|[_, least, greatest]| 100.0 * (greatest / least - 1.0))
-        .collect();
+    let spread = |row: &Row| {
+        let times = || row.turns.iter().map(Turn::ms);
+        let least = times().min_by(f64::total_cmp)?;
+        Some(100.0 * (times().max_by(f64::total_cmp)? / least - 1.0))
+    };
+    let mut spreads: Vec<f64> = rows.iter().filter_map(spread).collect();
     spreads.sort_by(f64::total_cmp);
     let place = (share * spreads.len() as f64) as usize;
     spreads.get(place).copied().unwrap_or_default()
+}
+
+/// A warning, if other programs kept the processor from the turns.
+fn disturbed(rows: &[Row]) -> String {
+    let turns = || rows.iter().flat_map(|row| &row.turns);
+    let count = turns().filter(|turn| turn.is_disturbed()).count();
+    if count == 0 {
+        return String::new();
+    }
+    let share = 100.0 * count as f64 / turns().count() as f64;
+    let text = format!(
+        "**The machine was busy**: in {share:.1} % of the turns the clock ran over a tenth longer than the processor. \
+         Phases, which the clock tells, are too long there."
+    );
+    eprintln!("{}", text.replace('*', ""));
+    format!("\n- {text}")
 }
 
 /// A view: its plots, and its tables folded away.
@@ -109,6 +122,12 @@ fn markdown(table: &Table) -> String {
     for line in &table.lines {
         let cell = |entry: &Entry| match entry {
             Entry::Number(x) => short(*x),
+            Entry::Ratio(ratio) => format!(
+                "{} ({} to {})",
+                short(ratio.middle),
+                short(ratio.low),
+                short(ratio.high)
+            ),
             Entry::LeftOut => "left out".to_owned(),
             Entry::Unknown => String::new(),
         };
@@ -116,19 +135,6 @@ fn markdown(table: &Table) -> String {
         let _ = writeln!(text, "| {} | {} |", line.variant, cells.join(" | "));
     }
     text + "\n"
-}
-
-/// The processor, the system and the compiler, as far as they can be told.
-fn machine() -> String {
-    let info = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
-    let model = info.lines().find_map(|line| {
-        let (key, value) = line.split_once(':')?;
-        (key.trim() == "model name").then(|| value.trim().to_owned())
-    });
-    let cores = available_parallelism().map_or(1, usize::from);
-    let (system, architecture) = (std::env::consts::OS, std::env::consts::ARCH);
-    let model = model.unwrap_or_else(|| "an unknown processor".to_owned());
-    format!("{model}, {cores} cores, {architecture}, {system}")
 }
 
 /// The compiler of this program.

@@ -2,8 +2,10 @@
 
 mod boxes;
 mod canvas;
+mod fit;
 mod growth;
 mod markdown;
+mod ratio;
 mod table;
 mod view;
 
@@ -12,9 +14,11 @@ use std::io;
 use std::path::Path;
 
 use crate::measure::Row;
+pub(crate) use fit::Fit;
 pub(crate) use markdown::{Method, commit};
-use view::Plot;
-pub(crate) use view::{Shape, View};
+pub(crate) use ratio::Ratio;
+pub(crate) use table::distinct;
+pub(crate) use view::{Plot, Shape, View};
 
 /// Writes the report and its plots into a folder.
 ///
@@ -41,8 +45,12 @@ pub(crate) fn write(
 
 /// Whether a view has any number: times may not have been measured.
 fn is_known(view: &View, rows: &[Row]) -> bool {
-    let mut entries = rows.iter().map(|row| table::entry(view, row));
-    entries.any(|entry| matches!(entry, table::Entry::Number(_)))
+    rows.iter().any(|row| (view.measure)(row).is_some())
+}
+
+/// The plots of a view.
+pub(crate) fn plots(view: &View, rows: &[Row]) -> Vec<Plot> {
+    show(view, rows).1
 }
 
 /// The tables and plots of a view.
@@ -56,13 +64,13 @@ fn show(view: &View, rows: &[Row]) -> (Vec<table::Table>, Vec<Plot>) {
         Shape::Map | Shape::Ratios => {
             let tables = table::by_size(view, rows);
             let plots = tables.iter().map(|table| {
-                let (shown, scale) = if view.shape == Shape::Map {
-                    (table.clone(), boxes::Scale::of(table))
+                let scale = if view.shape == Shape::Map {
+                    boxes::Scale::of(table)
                 } else {
-                    (table.ratios(), boxes::Scale::Ratios)
+                    boxes::Scale::Ratios
                 };
                 let file = format!("{}-{}", view.name, table.size);
-                plot(file, &table.title, boxes::map(&shown, scale))
+                plot(file, &table.title, boxes::map(table, scale))
             });
             let plots = plots.collect();
             (tables, plots)
@@ -73,7 +81,7 @@ fn show(view: &View, rows: &[Row]) -> (Vec<table::Table>, Vec<Plot>) {
             let plot = plot(view.name.to_owned(), &table.title, svg);
             (vec![table], vec![plot])
         }
-        Shape::Growth => {
+        Shape::Growth | Shape::Angles => {
             let svg = growth::draw(view, rows);
             let plot = plot(view.name.to_owned(), view.title, svg);
             (table::by_data(view, rows), vec![plot])

@@ -18,21 +18,23 @@ pub(crate) struct View {
 pub(crate) enum Shape {
     /// A map of variants and data for each size, dark where the number is large.
     Map,
-    /// A map of ratios to the first variant: blue where it is slower, orange where it is faster.
+    /// A map of ratios of times to the first variant, with intervals.
     Ratios,
     /// A map of the exponents of growth with the number of points.
     Exponents,
     /// Lines over the number of points, for each kind of data.
     Growth,
+    /// Lines over the angle in the names of the variants, one for each kind of data.
+    Angles,
     /// Bars of the three parts of the algorithm.
     Phases,
 }
 
 /// A drawing, and its file.
-pub(super) struct Plot {
-    pub(super) file: String,
+pub(crate) struct Plot {
+    pub(crate) file: String,
     pub(super) about: String,
-    pub(super) svg: String,
+    pub(crate) svg: String,
 }
 
 /// The number with three digits, or all digits before the point.

@@ -1,4 +1,6 @@
 //! The structures and the experiments.
 
+mod growth;
+mod paper;
 mod program;
 mod structures;

@@ -27,16 +27,11 @@ fn succeed(arguments: &[&str], out: &Path) {
     assert!(output.status.success(), "{arguments:?}: {error}");
 }
 
-/// All columns of the rows but times.
+/// The rows of a CSV file.
 fn counts(file: &Path) -> Vec<BTreeMap<String, String>> {
     let mut reader = csv::Reader::from_path(file).expect("a CSV file");
     let rows = reader.deserialize();
-    rows.map(|row| {
-        let mut row: BTreeMap<String, String> = row.expect("a row");
-        row.retain(|column, _| !column.ends_with("_ms"));
-        row
-    })
-    .collect()
+    rows.map(|row| row.expect("a row")).collect()
 }
 
 /// Every experiment twice: the same columns but for the times, and plots that are not empty.
@@ -102,13 +97,21 @@ fn without_repetitions_there_are_counts_and_no_times() {
         let more = ["--repetitions", repetitions];
         succeed(&[&["fronts"], &CELLS[..], &more].concat(), out);
     }
-    let without = |out: &Path| {
-        let mut rows = counts(&out.join("fronts.csv"));
-        rows.iter_mut()
-            .for_each(|row| drop(row.remove("repetitions")));
-        rows
-    };
-    assert_eq!(without(&timed), without(&counted));
+    let [with, without] = [&timed, &counted].map(|out| counts(&out.join("fronts.csv")));
+    assert_eq!(with, without);
+    let turns = |out: &Path| counts(&out.join("fronts-turns.csv"));
+    assert_eq!(
+        [turns(&timed).len(), turns(&counted).len()],
+        [with.len(), 0]
+    );
+    let (mut turns, rows) = (turns(&timed), with.iter());
+    for (turn, row) in turns.iter_mut().zip(rows) {
+        turn.retain(|column, _| ["data", "size", "seed", "variant"].contains(&column.as_str()));
+        assert!(
+            turn.iter().all(|(column, value)| row[column] == *value),
+            "{turn:?}"
+        );
+    }
     let text = |out: &Path| fs::read_to_string(out.join("report.md")).expect("a report");
     let title = "Time of the whole triangulation";
     assert!(text(&timed).contains(title) && timed.join("time-100.svg").exists());
@@ -136,7 +139,10 @@ fn an_interrupted_run_goes_on_with_what_is_missing() {
     let other = output(&[&arguments[..], &["--seed", "2"]].concat(), out);
     assert!(!other.status.success());
     let error = String::from_utf8_lossy(&other.stderr);
-    assert!(error.contains("another plan (now: seed 2)"), "{error}");
+    assert!(
+        error.contains("another plan (now: cell uniform 100 seed 2)"),
+        "{error}"
+    );
 }
 
 /// Each cell as a task of the Slurm script, in no order, as on several machines.
@@ -152,7 +158,7 @@ fn cells_run_one_by_one_give_the_same_as_all_together() {
     let listed = String::from_utf8(listed.stdout).expect("text");
     assert_eq!(
         listed,
-        "0 uniform 100\n1 fans 100\n2 uniform 300\n3 fans 300\n"
+        "0 uniform 100 seed 1\n1 fans 100 seed 1\n2 uniform 300 seed 1\n3 fans 300 seed 1\n"
     );
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("slurm/array.sh");
     for cell in ["3", "1", "0"] {
@@ -213,6 +219,9 @@ fn what_cannot_be_done_is_said() {
         ),
         (&["fronts", "--file", "nothing.poly"], "nothing.poly"),
         (&["fronts", "--cell", "10000"], "there is no cell 10000"),
+        (&["holdout"], "holdout needs --file"),
+        (&["fronts", "--sizes", "7"], "no such input"),
+        (&["paper"], "fronts.csv: "),
     ] {
         let output = output(arguments, folder.path());
         assert_eq!(output.status.code(), Some(1), "{arguments:?}");
@@ -221,6 +230,131 @@ fn what_cannot_be_done_is_said() {
             error.starts_with("error: ") && error.contains(expected),
             "{error}"
         );
+    }
+}
+
+#[test]
+fn seeds_are_rows_of_their_own_and_counts_are_compared() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [first, second] = ["first", "second"].map(|name| folder.path().join(name));
+    let arguments = [
+        &["fronts"],
+        &CELLS[..],
+        &["--repetitions", "1", "--seeds", "2"],
+    ]
+    .concat();
+    succeed(&arguments, &first);
+    let kept = first.join("fronts.csv");
+    let rows = counts(&kept);
+    let of = |seed: &str| {
+        rows.iter()
+            .filter(|row| row["seed"] == seed)
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(of("1").len(), of("2").len());
+    assert_ne!(of("1")[0]["result"], of("2")[0]["result"]);
+
+    // A part of the rows, without times, has the same counts; others have not.
+    let part = [
+        "fronts",
+        "--data",
+        "fans",
+        "--sizes",
+        "100",
+        "--seed",
+        "2",
+        "--repetitions",
+        "0",
+    ];
+    let with = [&part[..], &["--compare", kept.to_str().expect("UTF-8")]].concat();
+    succeed(&with, &second);
+    let text = fs::read_to_string(&kept).expect("a file");
+    for (from, to, expected) in [
+        (
+            "fans,100,2,skip list,false,",
+            "fans,100,2,skip list,false,1",
+            "skip list on fans 100, seed 2, has other counts",
+        ),
+        (
+            "fans,100,2,treap,",
+            "fans,100,2,other,",
+            "treap on fans 100, seed 2, is not there",
+        ),
+    ] {
+        fs::write(&kept, text.replace(from, to)).expect("a file");
+        let turns = first.join("fronts-turns.csv");
+        let kept = fs::read_to_string(&turns).expect("a file");
+        fs::write(&turns, kept.replace(from, to)).expect("a file");
+        let wrong = output(&with, &second);
+        let error = String::from_utf8_lossy(&wrong.stderr);
+        assert!(
+            !wrong.status.success() && error.contains(expected),
+            "{error}"
+        );
+        fs::write(&turns, kept).expect("a file");
+    }
+}
+
+/// Of another order of the points, and the same triangles.
+#[test]
+fn a_file_has_eight_images() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("turned.poly");
+    fs::write(&file, "4 2 0 0\n0 0 0\n1 9 1\n2 8 5\n3 1 7\n0 0\n0\n").expect("a file");
+    let path = file.to_str().expect("UTF-8");
+    let arguments = [
+        "holdout",
+        "--file",
+        path,
+        "--seeds",
+        "8",
+        "--repetitions",
+        "0",
+    ];
+    let out = folder.path().join("out");
+    succeed(&arguments, &out);
+    let rows = counts(&out.join("holdout.csv"));
+    let first = |seed: usize| {
+        rows.iter()
+            .find(|row| row["seed"] == seed.to_string())
+            .expect("a row")
+    };
+    let counted: Vec<[&str; 2]> = (1..=8)
+        .map(|seed| [&*first(seed)["triangles"], &*first(seed)["points"]])
+        .collect();
+    assert_eq!(counted, [["2", "4"]; 8]);
+    let results: std::collections::BTreeSet<&str> =
+        (1..=8).map(|seed| &*first(seed)["result"]).collect();
+    assert_eq!(results.len(), 2, "as it is and mirrored");
+}
+
+/// Where Valgrind is not installed, the program says so.
+#[test]
+fn a_turn_under_cachegrind_is_counted() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let arguments = [
+        "fronts",
+        "--data",
+        "uniform",
+        "--sizes",
+        "300",
+        "--repetitions",
+        "0",
+        "--cachegrind",
+    ];
+    let output = output(&arguments, folder.path());
+    if Command::new("valgrind").arg("--version").output().is_err() {
+        let error = String::from_utf8_lossy(&output.stderr);
+        assert!(error.starts_with("error: valgrind: "), "{error}");
+        return;
+    }
+    assert!(output.status.success(), "{output:?}");
+    for row in counts(&folder.path().join("fronts.csv")) {
+        let count = |column: &str| row[column].parse::<u64>().expect("a count");
+        let a_point = count("instructions") / 300;
+        assert!((200..20_000).contains(&a_point), "{row:?}");
+        assert!(count("first_misses") >= count("second_misses"), "{row:?}");
+        assert!(row["built"].starts_with("rustc "), "{row:?}");
     }
 }
 
@@ -279,11 +413,11 @@ fn triangle_is_timed_and_verified() {
     };
     let (right, out) = run("table1", "0 1 2");
     assert!(right.status.success(), "{right:?}");
-    let rows = fs::read_to_string(out.join("cells/0003.csv")).expect("a file");
-    let row = rows.lines().find(|row| row.contains(",Triangle,"));
+    let turns = counts(&out.join("cells/0003-turns.csv"));
+    let turn = turns.iter().find(|turn| turn["variant"] == "Triangle");
     assert!(
-        row.is_some_and(|row| row.ends_with(",32.0,32.0,32.0")),
-        "{rows}"
+        turn.is_some_and(|turn| turn["clock_ms"] == "32.0"),
+        "{turns:?}"
     );
     for (experiment, triangle, expected) in [
         ("table1", "0 2 1", "runs the wrong way round"),

@@ -60,7 +60,8 @@ impl<F: Structure> Model<'_, F> {
 fn allowed(name: &str, nodes: usize) -> f64 {
     match name {
         "walk from the last node" | "walk from the end" => nodes as f64,
-        "hash table (default)" | "hash over ranks" => 8.0,
+        "hash table (default)" | "hash over ranks" | "learned table" => 8.0,
+        _ if name.starts_with("fixed table") => 8.0,
         "splay tree, 10 % sample" => 25.0,
         // Of equal x any node may be named.
         _ => 1.0,
@@ -73,11 +74,14 @@ fn allowed_work(name: &str, nodes: usize) -> f64 {
     match name {
         // What they need grows with the crowd in an interval, or with the empty ones.
         _ if name.starts_with("uniform table") => f64::INFINITY,
-        "hash over ranks" => 64.0,
+        // As many as there are intervals.
+        "fixed table, 1024" => 1024.0,
+        "fixed table, 32" => 32.0,
+        "hash over ranks" | "learned table" => 64.0,
         // An entry, sixteen on either side of it, and the last node.
         "hash table (default)" => 34.0,
         // A search anywhere halves the ranks of all vertices.
-        "bit set over ranks" => 16.0,
+        "bit set over ranks" | "van Emde Boas tree" | "sampled universe" => 16.0,
         "treap" | "skip list" => 4.0 + 2.0 * halvings,
         _ => 4.0 + 1.5 * halvings,
     }
@@ -190,6 +194,17 @@ fn assert_same_steps(Input { points, edges }: &Input, heuristics: Heuristics, fr
     for contestant in standard() {
         let name = format!("{} on {from}", contestant.name());
         steps.assert_same(points, edges, &mut contestant.front().clone(), &name);
+    }
+}
+
+#[test]
+fn a_structure_without_points_names_an_end() {
+    for contestant in standard() {
+        let mut structure = contestant.front().clone();
+        structure.begin(FrontInput::new(&[]));
+        let front = Front::new(0);
+        let found = structure.locate(0.5, &front);
+        assert!(front.contains(found), "{}", contestant.name());
     }
 }
 

@@ -91,20 +91,49 @@ pub(super) fn places(names: &[String]) -> Result<Option<Places>, String> {
 ///
 /// let names = ["id", "Northing", "Easting", "elev (m)"].map(str::to_owned);
 /// assert_eq!(named_columns(&names), Ok(Some(vec![2, 1, 3])));
-/// assert_eq!(named_columns(&names[..2]), Ok(None));
+/// assert_eq!(named_columns(&names[..1]), Ok(None));
+/// assert!(named_columns(&names[..2]).is_err());
 /// ```
 ///
 /// # Errors
-/// Two columns may both be one of them. The text names them.
+/// Two columns may both be one of them, or one is x, y or the height and others are not. The text names them.
 pub fn named_columns(names: &[String]) -> Result<Option<Vec<usize>>, String> {
     let Some(Places { x, y, heights }) = places(names)? else {
-        return Ok(None);
+        return half(names).map_or(Ok(None), |half| {
+            Err(format!("{half}: rename columns, or pass an array of them"))
+        });
     };
     let mut found = vec![x, y];
     if !heights.is_empty() {
         found.push(only(&heights, "the height", names)?);
     }
     Ok(Some(found))
+}
+
+/// What there is of the names of x, y and heights, and what is missing beside it.
+fn half(names: &[String]) -> Option<String> {
+    let find = |known: &[&str]| {
+        let mut ranks = names.iter().map(|name| Some((name, rank(known, name)?.0)));
+        ranks.find_map(|found| found)
+    };
+    let [named @ .., _] = &PLACES;
+    // A column `e` or `n` alone may be anything.
+    let sides = named.iter().flat_map(|&[x, y]| [(x, y), (y, x)]);
+    let mut halves = sides.filter_map(|(one, other)| {
+        let (name, at) = find(one)?;
+        let missing = other[at.min(other.len() - 1)];
+        Some(format!(
+            "there is {} but no `{missing}`",
+            quoted(name.as_bytes())
+        ))
+    });
+    halves.next().or_else(|| {
+        let (name, _) = find(&HEIGHTS)?;
+        Some(format!(
+            "there is {} but no `x` and no `y`",
+            quoted(name.as_bytes())
+        ))
+    })
 }
 
 /// The column with the best of the names of a height, the first of several; nothing, if none has one.
@@ -136,7 +165,29 @@ pub(super) fn only(columns: &[usize], what: &str, names: &[String]) -> Result<us
 
 #[cfg(test)]
 mod tests {
-    use super::{HEIGHTS, rank};
+    use super::{HEIGHTS, named_columns, rank};
+
+    #[test]
+    fn half_a_pair_is_no_place() {
+        for (names, message) in [
+            (
+                ["number", "Height"],
+                "there is `Height` but no `x` and no `y`",
+            ),
+            (
+                ["number", "easting"],
+                "there is `easting` but no `northing`",
+            ),
+            (["lat (deg)", "z"], "there is `lat (deg)` but no `lon`"),
+            (["y", "lon"], "there is `y` but no `x`"),
+        ] {
+            let found = named_columns(&names.map(str::to_owned));
+            let message = format!("{message}: rename columns, or pass an array of them");
+            assert_eq!(found, Err(message));
+        }
+        let other = ["e", "value"].map(str::to_owned);
+        assert_eq!(named_columns(&other), Ok(None));
+    }
 
     #[test]
     fn a_unit_is_no_part_of_a_name() {

@@ -159,19 +159,28 @@ pub(super) fn write_system(
     }
 }
 
-/// Writes the vertices and the edges: polygons by their rings, and lines.
+/// Writes the vertices, each as a feature where there are no edges. Otherwise a collection has them, and the edges:
+/// polygons by their rings, and lines.
 pub(super) fn write_geojson_graph<S: Coordinate>(
     file: &GraphFile<S>,
     out: &mut impl Write,
 ) -> io::Result<()> {
     let positions = Positions::of_geojson(file);
+    let graph = &file.graph;
+    if graph.edges.is_empty() {
+        write_system(r#"{"type":"FeatureCollection","#, file.system.as_ref(), out)?;
+        out.write_all(br#""features":["#)?;
+        let point =
+            r#"{"type":"Feature","properties":{},"geometry":{"type":"Point","coordinates":"#;
+        positions.write([point, "}}"], graph.points.len(), |v| [v], out)?;
+        return out.write_all(b"]}\n");
+    }
     write_system(
         r#"{"type":"GeometryCollection","#,
         file.system.as_ref(),
         out,
     )?;
     out.write_all(br#""geometries":[{"type":"MultiPoint","coordinates":["#)?;
-    let graph = &file.graph;
     positions.write(["", ""], graph.points.len(), |v| [v], out)?;
     let shapes = Shapes::of(file);
     for polygons in shapes.polygons.chunk_by(|a, b| a.feature == b.feature) {

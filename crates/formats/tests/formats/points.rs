@@ -108,6 +108,40 @@ fn columns_without_names_are_x_y_z_and_others() {
     assert_eq!(table("x,y,\n1.5,2,\n-3,4e2"), (TWO.to_vec(), String::new()));
 }
 
+/// A surveyor's list: the first column has the numbers of the points.
+#[test]
+fn a_column_that_counts_the_rows_is_no_x() {
+    let survey = "1,10,20,5\n2,11,20,6\n3,10,21,7\n";
+    let refused = input(survey.as_bytes()).expect_err("the first column counts");
+    assert!(refused.contains("the first counts the rows"), "{refused}");
+    let source = Source::new("file", survey);
+    let chosen = source.columns(["2", "3", "4"].map(str::to_owned).to_vec());
+    let Ok(Input::Doubles(file)) = read(Format::Csv, &chosen, None) else {
+        panic!("doubles")
+    };
+    assert_eq!(
+        file.graph.points,
+        [[10.0, 20.0], [11.0, 20.0], [10.0, 21.0]]
+    );
+    for grid in [
+        "1,10,20\n2,11,20\n3,10,21\n",
+        "1,10,20,5\n2,11,20,6\n",
+        "1,10,20,5\n2,11,20,6\n4,10,21,7\n",
+        "x,y,z,t\n1,10,20,5\n2,11,20,6\n3,10,21,7\n",
+    ] {
+        assert!(input(grid.as_bytes()).is_ok(), "{grid}");
+    }
+}
+
+#[test]
+fn what_is_ignored_has_the_place_of_its_column() {
+    let Ok(Input::Doubles(file)) = input(b"1.5 2 7 oak\n-3 4e2 8 elm") else {
+        panic!("doubles")
+    };
+    let ignored = Remark::ignored(1, "column `4`", "columns `4`");
+    assert!(file.remarks.contains(&ignored), "{:?}", file.remarks);
+}
+
 #[test]
 fn missing_numbers_are_missing() {
     let text = "x,y,z,a,b\n0,0,nan,NA,-\n1,0,NULL,n/a,none\n0,1,,5\n1,1,0,6,\n";

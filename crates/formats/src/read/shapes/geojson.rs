@@ -162,7 +162,13 @@ pub(crate) fn read(source: &Source) -> Result<Shapes<'_>, ReadError> {
         };
         let object = Object::of(piece)
             .ok_or_else(|| wrong(piece, "a geometry, a feature or a collection of them"))?;
-        for name in &object.others {
+        // GDAL names each collection as the file.
+        let is_file = matches!(object.kind(), Some(Kind::FeatureCollection));
+        let others = object
+            .others
+            .iter()
+            .filter(|name| !is_file || *name != "name");
+        for name in others {
             shapes
                 .remarks
                 .ignore_named(1, ["member", "members"], name.as_bytes());

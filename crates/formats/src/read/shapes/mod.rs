@@ -99,7 +99,7 @@ impl<'a> Shapes<'a> {
         let places: Vec<[f64; 2]> = places.collect();
         let parts = self.parts.iter();
         let parts = parts.filter(|(part, ..)| *part != Part::Points);
-        let sides = parts.flat_map(|(.., range)| range.clone().skip(1).map(|v| [v - 1, v]));
+        let sides = parts.flat_map(|(.., range)| sides(range));
         Remark::half_of_the_globe(&places, sides)
     }
 
@@ -117,7 +117,7 @@ impl<'a> Shapes<'a> {
                 }
                 Part::Hole => Some(polygons.add_ring(true)),
             };
-            edges.extend(range.clone().skip(1).map(|v| [v - 1, v]));
+            edges.extend(sides(range));
             let is_open = || self.is_apart(range.start, range.end - 1);
             if *part != Part::Line && !range.is_empty() && is_open() {
                 edges.push([range.end - 1, range.start]);
@@ -191,4 +191,9 @@ impl<'a> Shapes<'a> {
         };
         differs(0) || differs(1)
     }
+}
+
+/// The sides of a line or a ring, by its first to its last position.
+fn sides(range: &Range<usize>) -> impl Iterator<Item = [usize; 2]> {
+    range.clone().skip(1).map(|v| [v - 1, v])
 }

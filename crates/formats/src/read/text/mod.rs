@@ -12,10 +12,11 @@
 //! | others | of numbers: columns of the vertices; of anything else: ignored with a remark |
 //!
 //! The names may also stand in the last comment before the numbers, if that has those of x and y. [`Source::columns`]
-//! chooses others. A first row of one whole number is how many points follow. The separator is the
-//! first one of semicolon, tab, comma and blanks that makes a row of names, or of numbers, out of the first row. (See
-//! `rows.rs` for rows and quotes.) A field that is empty, `nan`, `na`, `n/a`, `null`, `none` or `-` is missing, which x and
-//! y must not be. Rows may be short, and what they lack is missing; fields beyond the first row must not be numbers.
+//! chooses others, and must where the first of more than three columns counts the rows. A first row of one whole number
+//! is how many points follow. The separator is the first one of semicolon, tab, comma and blanks that makes a row of
+//! names, or of numbers, out of the first row. (See `rows.rs` for rows and quotes.) A field that is empty, `nan`, `na`,
+//! `n/a`, `null`, `none` or `-` is missing, which x and y must not be. Rows may be short, and what they lack is
+//! missing; fields beyond the first row must not be numbers.
 //!
 //! Cost: time in proportion to the text. So is the memory: short rows may leave out no more fields than the file has
 //! bytes.
@@ -78,6 +79,14 @@ pub(super) fn read(source: &Source) -> Result<Edges<'_>, ReadError> {
     }
     while let Some(line) = rows.next_row(&mut fields)? {
         table.add(line, &fields)?;
+    }
+    if source.columns.is_empty() && table.is_numbered() {
+        let message = "the columns have no names, and the first counts the rows, 1, 2, 3 and so on, as names of points \
+                       do: put names in the first row, x and y among them";
+        return Err(ReadError {
+            kind: ReadErrorKind::UnknownColumns,
+            ..ReadError::of_file(&source.name, message)
+        });
     }
     let points = table.coordinates.len();
     if let Some(promised) = promised.filter(|&promised| promised != points as u64) {
@@ -391,6 +400,17 @@ impl<'a> Table<'a> {
         Ok(())
     }
 
+    /// Whether nothing tells that the first of more than three columns is x, and it counts three rows and more from 1
+    /// on.
+    fn is_numbered(&self) -> bool {
+        let names = &self.header.names;
+        let has_numbers = names.len() > 3 && names.iter().all(String::is_empty);
+        let mut rows = (1_usize..).zip(&self.coordinates);
+        has_numbers
+            && self.coordinates.len() > 2
+            && rows.all(|(row, [x, _])| *x == row.to_string().as_bytes())
+    }
+
     /// The points with the columns that have any numbers; others are ignored.
     fn vertices(self, remarks: &mut Remarks) -> Vertices<'a> {
         let Table { header, z, .. } = self;
@@ -402,6 +422,10 @@ impl<'a> Table<'a> {
             let is_nothing = name.is_empty() && pieces.is_some();
             let Some(pieces) = pieces.filter(has_numbers) else {
                 if at != header.x && at != header.y && !is_nothing {
+                    let name = match name.is_empty() {
+                        true => (at + 1).to_string(),
+                        false => name,
+                    };
                     remarks.ignore_named(1, ["column", "columns"], name.as_bytes());
                 }
                 continue;
