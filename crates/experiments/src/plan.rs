@@ -166,7 +166,7 @@ pub(crate) fn read_rows(path: &Path) -> Result<Vec<Row>> {
     let mut rows: Vec<Row> = read(path)?;
     let mut at = 0;
     for turn in read::<Turn>(&turns(path))? {
-        // They are in the order of the rows.
+        // Turns are in the order of the rows.
         while !turn.is_of(
             rows.get(at)
                 .ok_or(format!("{}: a turn of no row", path.display()))?,

@@ -7,8 +7,8 @@
 //! node is still on it.
 //!
 //! Cost: a search finds its interval, and looks through the empty intervals around it, O(sqrt(n)) where there are so
-//! many. An update finds its interval if no search has. The sweep walks over the nodes between: one or two where each interval has a
-//! node, O(n) at worst.
+//! many. An update finds its interval if no search has. The sweep walks over the
+//! nodes between: one or two where each interval has a node, O(n) at worst.
 
 use std::fmt::Debug;
 

@@ -6,8 +6,9 @@
 //! the different x of a sample, eight for each interval, and the bound is the width of an interval.
 //!
 //! The lines are laid from left to right. Each begins at a key, and goes on as long as one slope fits all keys up
-//! to there: a cone of slopes that shrinks with every key. That may take more lines than the least number, which the
-//! PGM-index finds. It also has lines over lines; here the line of an x is found by halves, as there are few.
+//! to there: a cone of slopes that shrinks with every key. The cone may take more lines than the least
+//! number, which the PGM-index finds. The PGM-index also has lines over lines; here the line of an x is found by halves,
+//! as there are few.
 //!
 //! Why it is right: a guess is as good as any. Lines ascend, and one is taken up to the start of the next.
 //!
