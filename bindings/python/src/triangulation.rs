@@ -8,7 +8,7 @@ use sweep_cdt::scalar::Scalar;
 use sweep_cdt::{Bands, Error, Location, Triangulation, Triangulator};
 use sweep_cdt_engine::{Inside as Rule, Settings};
 use sweep_cdt_formats::{Remark, edges_along};
-use sweep_cdt_terrain::Surface;
+use sweep_cdt_terrain::{Places, Surface};
 
 use crate::calls::{Watch, call};
 use crate::errors::refused;
@@ -318,8 +318,8 @@ impl Core {
         Ok(found.into_pyarray(py))
     }
 
-    /// Values at queries, those of each query one after the other; NaN outside of what is inside by a rule. `points` are those
-    /// of the input, of the type of the queries.
+    /// Values at queries, those of each query one after the other; NaN outside of what is inside by a rule, and farther from
+    /// it than `within`. `points` are those of the input, of the type of the queries.
     fn interpolate<'py>(
         &self,
         py: Python<'py>,
@@ -327,6 +327,7 @@ impl Core {
         rule: &str,
         values: PyReadonlyArray2<'_, f64>,
         places: (Points<'_>, Points<'_>),
+        within: Option<f64>,
     ) -> PyResult<Bound<'py, PyArray1<f64>>> {
         let rule = named(rule)?;
         let graph = input.graph()?;
@@ -341,10 +342,10 @@ impl Core {
         let (points, queries) = places;
         let found = match (points.view()?, queries.view()?) {
             (View::Doubles(points), View::Doubles(queries)) => {
-                values_at(py, points, &interior, &columns, queries)?
+                values_at(py, points, &interior, &columns, (queries, within))?
             }
             (View::Exact(points), View::Exact(queries)) => {
-                values_at(py, points, &interior, &columns, queries)?
+                values_at(py, points, &interior, &columns, (queries, within))?
             }
             _ => return Err(refused("points and queries differ in type".to_owned())),
         };
@@ -362,23 +363,21 @@ fn lowest_first(mut corners: [usize; 3]) -> [usize; 3] {
 /// So many points are located at once, or as many as there are triangles; a signal ends the call between.
 const PART: usize = 1 << 16;
 
-/// Values of queries, from where they lie.
-fn by_place<S: Exact + Sync, T: Send>(
+/// What `found` gives for queries, part by part.
+fn by_parts<S: Sync, T: Send>(
     py: Python<'_>,
     result: &Triangulation,
-    points: &[[S; 2]],
     queries: &[[S; 2]],
-    mut values: impl FnMut(&[[S; 2]], Vec<Location>) -> Vec<T> + Send,
+    mut found: impl FnMut(&[[S; 2]]) -> Vec<T> + Send,
 ) -> PyResult<Vec<T>> {
     call(py, queries.len(), 1, |watch| {
-        let view = result.with_points(points);
-        let mut found = Vec::with_capacity(queries.len());
+        let mut all = Vec::with_capacity(queries.len());
         // A part takes as long as the triangles are many, at least.
         for part in queries.chunks(result.len().max(PART)) {
             watch.look();
-            found.extend(values(part, view.locate_all(part)));
+            all.extend(found(part));
         }
-        Ok(found)
+        Ok(all)
     })
 }
 
@@ -399,8 +398,12 @@ impl Core {
             }
             Location::Outside => -1,
         };
-        by_place(py, &self.result, points, queries, |_, places| {
-            places.into_iter().map(&mut triangle).collect()
+        let view = self.result.with_points(points);
+        by_parts(py, &self.result, queries, |part| {
+            view.locate_all(part)
+                .into_iter()
+                .map(&mut triangle)
+                .collect()
         })
     }
 }
@@ -411,27 +414,16 @@ fn values_at<S: Exact + Sync>(
     points: &[[S; 2]],
     interior: &Interior<'_>,
     columns: &[Vec<f64>],
-    queries: &[[S; 2]],
+    (queries, within): (&[[S; 2]], Option<f64>),
 ) -> PyResult<Vec<f64>> {
     let surface = |values: &Vec<f64>| Surface::new(points, interior, values);
     let surfaces: Vec<_> = columns.iter().map(surface).collect();
-    by_place(
-        py,
-        interior.triangulation(),
-        points,
-        queries,
-        |part, places| {
-            let values = surfaces.iter().map(|s| s.heights_of(part, &places));
-            let values: Vec<Vec<Option<f64>>> = values.collect();
-            let mut rows = Vec::with_capacity(part.len() * values.len());
-            for query in 0..part.len() {
-                rows.extend(
-                    values
-                        .iter()
-                        .map(|column| column[query].unwrap_or(f64::NAN)),
-                );
-            }
-            rows
-        },
-    )
+    by_parts(py, interior.triangulation(), queries, |part| {
+        let places = Places::new(points, interior, part, within);
+        let values = surfaces.iter().map(|s| s.heights_of(&places));
+        let values: Vec<Vec<Option<f64>>> = values.collect();
+        let row = |query: usize| values.iter().map(move |column| column[query]);
+        let rows = (0..part.len()).flat_map(row);
+        rows.map(|value| value.unwrap_or(f64::NAN)).collect()
+    })
 }

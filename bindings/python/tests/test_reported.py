@@ -185,7 +185,8 @@ def judged_near_sides(points, values, places):
 
 
 def test_places_on_a_side_but_for_rounding(command):
-    """scipy#22831, python-adaptive#181: a place that rounding moves off the hull has no value, and a word."""
+    """scipy#22831, python-adaptive#181: a place that rounding moves off the hull has no value, and a word; or the value
+    of the nearest place within a distance that is asked for."""
     corners, places = table("thin_triangle.csv"), table("on_its_side.csv")
     assert judged_near_sides(corners[:, :2], corners[:, 2], places) == 7
     out, words = said(command, REPORTS, "heights", "thin_triangle.csv", "--at", "on_its_side.csv")
@@ -193,6 +194,19 @@ def test_places_on_a_side_but_for_rounding(command):
     axis, line = np.linspace(-0.5000000000000001, 0.49999999999999983, 6), np.linspace(-0.5, 0.5, 11)
     grids = [np.stack(np.meshgrid(a, a), axis=-1).reshape(-1, 2) for a in (axis, line)]
     assert judged_near_sides(grids[0], np.arange(36.0), grids[1]) == 21
+    # The long side is from 10 to 30. On the grid the value is six times x and y, in steps of the grid.
+    for within in (1e-15, 1e-3):
+        found = sweep_cdt.triangulate(corners[:, :2]).interpolate(corners[:, 2], places, within=within)
+        assert np.abs(found - (10 + 20 * places[:, 0] / 3)).max() <= 1e-13
+        out, words = said(command, REPORTS, "heights", "thin_triangle.csv", "--at", "on_its_side.csv", "--within", str(within))
+        assert not words and [float(row.split(",")[2]) for row in out.split()[1:]] == found.tolist()
+        found = sweep_cdt.triangulate(grids[0]).interpolate(np.arange(36.0), grids[1], within=within)
+        assert np.abs(found - 5 * (grids[1] + 0.5) @ [1, 6]).max() <= 1e-12
+    with pytest.warns(sweep_cdt.RemarkWarning, match="21 of 121"):
+        assert np.isnan(sweep_cdt.triangulate(grids[0]).interpolate(np.ones(36), grids[1], within=1e-18)).sum() == 21
+    for within in (-1.0, float("nan"), float("inf")):
+        with pytest.raises(sweep_cdt.Error, match="within is"):
+            sweep_cdt.triangulate(grids[0]).interpolate(np.ones(36), grids[1], within=within)
 
 
 def test_equal_points_and_missing_neighbours_by_the_command(command, tmp_path):

@@ -7,7 +7,7 @@ use sweep_cdt_formats::{
 };
 use sweep_cdt_terrain::Surface;
 
-use crate::shared::arguments::InputArgs;
+use crate::shared::arguments::{InputArgs, distance};
 use crate::shared::arithmetic::as_rationals;
 use crate::shared::failure::Failure;
 use crate::shared::files::{FileArgument, FilesRead, format_of_output, format_parser};
@@ -37,6 +37,11 @@ pub(crate) struct Heights {
     #[arg(long, value_name = "X,Y[,Z]", value_delimiter = ',')]
     at_columns: Vec<String>,
 
+    /// Give a point outside the height of the nearest place on the border that is at most so far away, in the units of
+    /// the points: points that lie on the border but for rounding need a distance greater than that
+    #[arg(long, value_name = "DISTANCE", value_parser = distance)]
+    within: Option<f64>,
+
     /// File to write, in any format that `generate` writes; `-` for standard output
     #[arg(short, long, value_name = "OUTPUT", default_value = "-")]
     output: FileArgument,
@@ -49,7 +54,8 @@ pub(crate) struct Heights {
 const AFTER_HELP: &str = "\
 Heights are the third coordinate, the first attribute of the vertices of a .node or .poly, or a
 property of the features of a .geojson or column of a .csv (--height-property).
-A triangle with a corner that has no height gives none, and none are outside of --inside.
+A triangle with a corner that has no height gives none, and none are outside of --inside, but by
+--within: of several nearest places the lowest counts, and of these the leftmost.
 
 Output: the points in the order of their file, with their columns, markers and coordinate system where
 the format has room for them, and their heights in place of those that they had. Equal points of a map
@@ -104,7 +110,14 @@ impl Heights {
         files: &FilesRead,
     ) -> Result<(), Failure> {
         let places = &points.graph.points;
-        let heights = self.terrain.surface(terrain, files, At { places })?;
+        let heights = self.terrain.surface(
+            terrain,
+            files,
+            At {
+                places,
+                within: self.within,
+            },
+        )?;
         let heights = Column::heights(
             heights
                 .into_iter()
@@ -129,12 +142,16 @@ impl Heights {
 /// Points that want heights.
 struct At<'a, S> {
     places: &'a [[S; 2]],
+    within: Option<f64>,
 }
 
 impl<S: Exact> Work<S> for At<'_, S> {
     type Done = Vec<Option<f64>>;
 
     fn run(self, surface: &Surface<'_, S>) -> Result<Self::Done, Failure> {
-        Ok(surface.heights_at(self.places))
+        Ok(match self.within {
+            Some(distance) => surface.heights_within(self.places, distance),
+            None => surface.heights_at(self.places),
+        })
     }
 }

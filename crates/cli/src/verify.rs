@@ -24,7 +24,7 @@ use crate::bounded::Bounded;
 use crate::completed::completed;
 use crate::mesh::Mesh;
 use crate::record::{self, Fingerprint, Subject};
-use crate::shared::arguments::{InputArgs, ResultArgs, ResultFiles};
+use crate::shared::arguments::{InputArgs, ResultArgs, ResultFiles, distance};
 use crate::shared::arithmetic::{Given, Job, ScalarArgs};
 use crate::shared::bounds::BoundsArgs;
 use crate::shared::earlier::Earlier;
@@ -86,7 +86,7 @@ pub(crate) struct Verify {
     /// by number, if no coordinate differs by more, or else each with the only vertex of the input that is
     /// not farther. By default each must be the coordinate of the input, rounded to as many significant digits
     /// as the result has for it, 6 or more, or to single precision.
-    #[arg(long, value_name = "DIFFERENCE", value_parser = difference, conflicts_with = "by_number")]
+    #[arg(long, value_name = "DIFFERENCE", value_parser = distance, conflicts_with = "by_number")]
     tolerance: Option<f64>,
 
     /// Match vertices by number, whatever their coordinates
@@ -108,7 +108,7 @@ pub(crate) struct Verify {
     /// line between the two beside it, in units of their distance. That of an edge, or a side of the boundary, that added
     /// vertices split is the distance of the farthest one from it, in units of its length. Rounding makes depths of about 1e-16. A
     /// result with none beyond this is not correct, but gets a verdict and an exit status of its own.
-    #[arg(long, value_name = "DEPTH", value_parser = difference)]
+    #[arg(long, value_name = "DEPTH", value_parser = distance)]
     max_depth: Option<f64>,
 
     #[command(flatten)]
@@ -473,15 +473,6 @@ impl Job for Run<'_> {
             Verdict::WithinMaxDepth => Err(Failure::Rounded),
             Verdict::Wrong => Err(Failure::Wrong),
         }
-    }
-}
-
-/// Reads a difference.
-fn difference(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(value) if value.is_finite() && value >= 0.0 => Ok(value),
-        Ok(_) => Err("not a finite number from 0 on".to_owned()),
-        Err(_) => Err("not a number".to_owned()),
     }
 }
 

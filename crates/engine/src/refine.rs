@@ -12,7 +12,7 @@ use sweep_cdt::crossings::Exact;
 use sweep_cdt::interior::Interior;
 use sweep_cdt_edit::{Bounds, Left, RefineError, Refined, Refinement};
 use sweep_cdt_formats::{Column, Coordinate, GraphFile, Remark};
-use sweep_cdt_terrain::Surface;
+use sweep_cdt_terrain::{Places, Surface};
 
 use crate::inside::Inside;
 use crate::settings::UnknownName;
@@ -162,20 +162,16 @@ fn columns<S: Coordinate>(
     };
     let result = inside.triangulation();
     let new = &mesh.points[points.len()..];
+    let whole = Interior::whole(result);
     let asks = file
         .columns
         .iter()
         .any(|column| column.name != Column::MARKER);
-    let places = if asks {
-        result.with_points(points).locate_all(new)
-    } else {
-        Vec::new()
-    };
-    let whole = Interior::whole(result);
+    let places = Places::new(points, &whole, if asks { new } else { &[] }, None);
     let column = |column: &Column| {
         let (mut extended, _) = column.extended(&mesh.points, chains());
         if column.name != Column::MARKER {
-            let found = Surface::new(points, &whole, &column.values).heights_of(new, &places);
+            let found = Surface::new(points, &whole, &column.values).heights_of(&places);
             for (value, found) in extended.values[points.len()..].iter_mut().zip(found) {
                 if value.is_nan() {
                     *value = found.unwrap_or(f64::NAN);

@@ -1,12 +1,10 @@
-//! Heights of points on a surface: where each point lies, and what is interpolated there.
-//!
-//! Where points lie is decided exactly, all at once (`WithPoints::locate_all`); heights are interpolated in
-//! [`crate::interpolate`]. Cost: that of locating, O((n + m) log(n + m)) for n triangles and m points, whatever they are.
+//! Heights of points on a surface: what is interpolated ([`crate::interpolate`]) where they lie ([`crate::places`]).
 
-use sweep_cdt::Location;
+use num_traits::{One, Zero};
 use sweep_cdt::crossings::Exact;
 
-use crate::interpolate::{along, within};
+use crate::interpolate::{along, at_share, within};
+use crate::places::{Place, Places};
 use crate::surface::Surface;
 
 impl<S: Exact> Surface<'_, S> {
@@ -31,43 +29,46 @@ impl<S: Exact> Surface<'_, S> {
     /// ```
     #[must_use]
     pub fn heights_at(&self, points: &[[S; 2]]) -> Vec<Option<f64>> {
-        let result = self.interior.triangulation();
-        let places = result.with_points(self.points).locate_all(points);
-        self.heights_of(points, &places)
+        self.heights_of(&Places::new(self.points, self.interior, points, None))
     }
 
-    /// The heights of points whose places are known: for several surfaces over one triangulation, which locates them once.
+    /// The heights as of [`heights_at`](Surface::heights_at), and for a point outside that of the nearest place on the
+    /// border, if that is at most so far away, in the units of the points.
     #[must_use]
-    pub fn heights_of(&self, points: &[[S; 2]], places: &[Location]) -> Vec<Option<f64>> {
-        let result = self.interior.triangulation();
-        let is_inside = self.vertices_inside();
-        let height = |(point, place): (&[S; 2], &Location)| match *place {
-            Location::Outside => None,
-            Location::Vertex(v) => Some(self.heights[v]).filter(|x| is_inside[v] && !x.is_nan()),
-            Location::Side { triangle: t, side } => {
-                let across = result.neighbor(t, side);
-                let is_inside = |t: usize| self.interior.is_inside(t);
-                let corners = result.triangle(t);
-                let ends = [1, 2].map(|i| corners[(side + i) % 3]);
-                let heights = ends.map(|v| self.heights[v]);
-                let is_known = !heights.iter().any(|x| x.is_nan());
-                (is_known && (is_inside(t) || across.is_some_and(is_inside)))
-                    .then(|| along(point, ends.map(|v| &self.points[v]), heights))
+    pub fn heights_within(&self, points: &[[S; 2]], distance: f64) -> Vec<Option<f64>> {
+        self.heights_of(&Places::new(
+            self.points,
+            self.interior,
+            points,
+            Some(distance),
+        ))
+    }
+
+    /// The heights at places that are known: for several surfaces over one domain, which finds them once.
+    #[must_use]
+    pub fn heights_of(&self, places: &Places<'_, S>) -> Vec<Option<f64>> {
+        let known = |v: usize| Some(self.heights[v]).filter(|height| !height.is_nan());
+        let both = |[a, b]: [usize; 2]| Some([known(a)?, known(b)?]);
+        let height = |(point, place): (&[S; 2], &Place)| match place {
+            Place::Outside => None,
+            Place::Vertex(v) => known(*v),
+            Place::Side(ends) => {
+                let heights = both(*ends)?;
+                Some(along(point, ends.map(|v| &self.points[v]), heights))
             }
-            Location::Triangle(t) => self.triangle(t).map(|corners| {
+            Place::Triangle(t) => self.triangle(*t).map(|corners| {
                 let heights = corners.map(|v| self.heights[v]);
                 within(point, corners.map(|v| &self.points[v]), heights)
             }),
+            Place::Near(near) if near.share.is_zero() => known(near.ends[0]),
+            Place::Near(near) if near.share.is_one() => known(near.ends[1]),
+            Place::Near(near) => Some(at_share(&near.share, both(near.ends)?)),
         };
-        points.iter().zip(places).map(height).collect()
-    }
-
-    /// Whether each vertex is a corner of a triangle inside.
-    fn vertices_inside(&self) -> Vec<bool> {
-        let mut is_inside = vec![false; self.points.len()];
-        for corners in self.interior.triangles() {
-            corners.into_iter().for_each(|v| is_inside[v] = true);
-        }
-        is_inside
+        places
+            .points
+            .iter()
+            .zip(&places.found)
+            .map(height)
+            .collect()
     }
 }

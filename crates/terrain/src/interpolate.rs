@@ -54,11 +54,18 @@ pub(crate) fn along<S: Exact>(point: &[S; 2], ends: [&[S; 2]; 2], heights: [f64;
         let [from, to] = ends.map(fraction);
         let point = fraction(point);
         let axis = usize::from(from[0] == to[0]);
-        let share = (&point[axis] - &from[axis]) / (&to[axis] - &from[axis]);
-        let [low, high] = heights.map(|height| height.to_fraction());
-        f64::nearest(&(&low + share * (high - &low)))
+        at_share(
+            &((&point[axis] - &from[axis]) / (&to[axis] - &from[axis])),
+            heights,
+        )
     });
     clamped(height, heights)
+}
+
+/// The height at a share of the way between two: the nearest double.
+pub(crate) fn at_share(share: &BigRational, heights: [f64; 2]) -> f64 {
+    let [from, to] = heights.map(|height| height.to_fraction());
+    f64::nearest(&(&from + share * (to - &from)))
 }
 
 /// The height of a point in a triangle.

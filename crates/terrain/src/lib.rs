@@ -4,16 +4,19 @@
 //! it is flat in each triangle. Every decision is exact: which sides a level crosses is a comparison of two heights,
 //! where a point lies is the sign of a predicate. Only the coordinates and heights that come out are rounded.
 //! [`contours`](Surface::contours) takes time linear in triangles and lines, [`heights_at`](Surface::heights_at)
-//! O((n + m) log(n + m)) for n triangles and m points, whatever they are.
+//! O((n + m) log(n + m)) for n triangles and m points, whatever they are. [`Places`] tells where points lie, or which
+//! place on the border is nearest.
 
 mod contours;
 mod heights;
 mod interpolate;
 mod levels;
+mod places;
 mod surface;
 
 pub use contours::{Contour, TooManyPieces};
 pub use levels::{LevelsError, levels};
+pub use places::Places;
 pub use surface::Surface;
 
 /// The example of the README, as a test.

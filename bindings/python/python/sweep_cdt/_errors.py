@@ -6,6 +6,7 @@ positions in the arrays that were passed.
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -140,6 +141,12 @@ class InternalError(RuntimeError):
 
     def __init__(self, message: str = "") -> None:
         super().__init__(message)
+
+
+def check_distance(name: str, value: Any) -> None:
+    """Refuses a distance that is none. `None` is not asked for."""
+    if value is not None and not 0 <= value < math.inf:
+        raise Error(f"{name} is {value}, not a finite number from 0 on")
 
 
 # The kinds are known by the package, not by this file.

@@ -9,7 +9,7 @@ import numpy as np
 
 from . import _native
 from ._arrays import as_array, as_values, by_names, listed
-from ._errors import ShapeError
+from ._errors import ShapeError, check_distance
 from ._geometries import agree, as_geometries, as_places, gathered
 from ._input import NO_EDGES, Input, as_points
 from ._remarks import Remark, say
@@ -53,7 +53,9 @@ def find_simplex(self: Triangulation, xi: Any, bruteforce: bool = False, tol: fl
     return found.reshape(shape)
 
 
-def interpolate(self: Triangulation, values: Any, xi: Any, *, strict: bool = False) -> np.ndarray:
+def interpolate(
+    self: Triangulation, values: Any, xi: Any, *, within: float | None = None, strict: bool = False
+) -> np.ndarray:
     """Values at points, interpolated linearly in each triangle that is inside.
 
     Parameters
@@ -63,6 +65,9 @@ def interpolate(self: Triangulation, values: Any, xi: Any, *, strict: bool = Fal
     xi : array_like of shape (..., 2), points as geometries, or a tuple of x and y
         Where to interpolate, in the units of the triangulation. A tuple has an array of x and one of y, as of SciPy.
         Geometries are those of shapely and geopandas, of which a CRS is that of the triangulation.
+    within : float, optional
+        A point outside has the value of the nearest place on the border that is at most so far away, in the units of
+        the triangulation. Points that lie on the border but for rounding need a distance greater than that.
     strict : bool, optional
         As of `triangulate`.
 
@@ -78,7 +83,7 @@ def interpolate(self: Triangulation, values: Any, xi: Any, *, strict: bool = Fal
     ------
     Error
         `ShapeError` and `KindError`, if there is not a value for each point, or if `xi` has no points; `Error`, if it
-        has another CRS.
+        has another CRS, or `within` is no finite number from 0 on.
 
     Examples
     --------
@@ -86,7 +91,10 @@ def interpolate(self: Triangulation, values: Any, xi: Any, *, strict: bool = Fal
     >>> hill = sweep_cdt.triangulate([[0, 0], [4, 0], [4, 4], [0, 4], [2, 2]])
     >>> hill.interpolate([0, 0, 0, 0, 8], [[2, 1], [2, 2], [9, 9]]).tolist()
     [4.0, 8.0, nan]
+    >>> hill.interpolate([0, 0, 4, 4, 8], [[4, 3], [4 + 1e-15, 3]], within=1e-9).tolist()
+    [3.0, 3.0]
     """
+    check_distance("within", within)
     count = len(self._input.points)
     values = as_values(values, count)
     rest = values.shape[1:]
@@ -95,7 +103,7 @@ def interpolate(self: Triangulation, values: Any, xi: Any, *, strict: bool = Fal
     for column in columns.T if len(self.duplicates) else ():
         say(of_equal(self, column, "values")[1], strict)
     result = np.full((len(finite), columns.shape[1]), np.nan)
-    found = self._core.interpolate(self._input, self.rule, columns, (points, queries))
+    found = self._core.interpolate(self._input, self.rule, columns, (points, queries), within)
     result[finite] = found = found.reshape(len(queries), columns.shape[1])
     say(_native.off_terrain(int(np.isnan(found).any(axis=1).sum()), len(found)))
     return result.reshape(shape + rest)

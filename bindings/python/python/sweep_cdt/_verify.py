@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from . import _native
-from ._errors import Error, KindError
+from ._errors import Error, KindError, check_distance
 from ._foreign import Result, as_result
 from ._graph import as_input
 from ._input import Input, as_count, as_indices, called
@@ -147,9 +147,8 @@ def verify(
     >>> bool(sweep_cdt.verify(points, [[0, 1, 3], [1, 2, 3]]))
     True
     """
-    for name, value in (("max_depth", max_depth), ("tolerance", tolerance)):
-        if value is not None and not 0 <= value < np.inf:
-            raise Error(f"{name} is {value}, not a finite number from 0 on")
+    check_distance("max_depth", max_depth)
+    check_distance("tolerance", tolerance)
     if simplices is None:
         result = as_result(result_or_points)
         if result is None:

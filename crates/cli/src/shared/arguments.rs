@@ -335,3 +335,12 @@ fn node_text<S: Coordinate>(file: &GraphFile<S>) -> Vec<u8> {
     write_node(file, &mut text).expect("memory takes all that is written");
     text
 }
+
+/// Parses a distance.
+pub(crate) fn distance(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(value) if value.is_finite() && value >= 0.0 => Ok(value),
+        Ok(_) => Err("not a finite number from 0 on".to_owned()),
+        Err(_) => Err("not a number".to_owned()),
+    }
+}

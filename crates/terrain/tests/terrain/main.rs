@@ -4,6 +4,7 @@
 mod contours;
 mod heights;
 mod levels;
+mod places;
 
 use sweep_cdt::Triangulation;
 use sweep_cdt_generate::Random;
