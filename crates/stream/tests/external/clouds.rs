@@ -155,6 +155,29 @@ fn headers_that_promise_nothing_are_said() {
     }
 }
 
+/// The files of libLAS#48, whose header says 0 of 500 points, and of PDAL#3348, which ends within a point.
+#[test]
+fn clouds_of_reports_are_said_and_refused() {
+    let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data");
+    let input = open(&data.join("zero_count.las"), Format::Las, None).expect("a file");
+    let said: Vec<String> = input.remarks().iter().map(ToString::to_string).collect();
+    assert_eq!(said.len(), 1, "{said:?}");
+    assert!(
+        said[0].contains("that there are 0 points, and 14000 bytes follow"),
+        "{said:?}"
+    );
+    let truncated = data.join("truncated.las");
+    let opened = open(&truncated, Format::Las, None).map_err(Into::into);
+    let folder = tempfile::tempdir().expect("a folder");
+    let sorted =
+        opened.and_then(|mut input| Sorting::new(3_000_000, folder.path()).sort(&mut *input));
+    let error = sorted.expect_err("it is cut off").to_string();
+    assert!(
+        error.starts_with(&truncated.display().to_string()),
+        "{error}"
+    );
+}
+
 #[test]
 fn layers_are_read_and_their_sizes_checked() {
     let folder = tempfile::tempdir().expect("a folder");
