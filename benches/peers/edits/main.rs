@@ -1,4 +1,4 @@
-//! Edits of `sweep-cdt-edit` beside those of `spade`, on the same points, in one run.
+//! Edits of `sweep-cdt-edit` beside those of `spade` and CGAL, on the same points, in one run.
 //!
 //! ```sh
 //! cargo bench --manifest-path benches/peers/Cargo.toml --bench edits [-- MOST]
@@ -6,10 +6,15 @@
 //!
 //! For 10,000 points and ten times as many up to `MOST` (a million unless named): microseconds an edit, the median of
 //! seven rounds, in which the programs take turns. Points are even, new ones are at random places or near the last one.
-//! `spade` searches from the vertex used last, or with its hierarchy. Batches are for `spade` single insertions. After
-//! each round both have as many triangles.
+//! `spade` searches from the vertex used last, or with its hierarchy, CGAL (where it can be compiled) from the triangle
+//! used last. Batches are for `spade` single insertions. After each round all have as many triangles.
+
+#[path = "../src/cgal.rs"]
+mod cgal;
 
 use std::hint::black_box;
+use std::path::Path;
+use std::process::Command;
 use std::time::Instant;
 
 use spade::{
@@ -17,7 +22,7 @@ use spade::{
     Triangulation as _,
 };
 use sweep_cdt_edit::{DynamicTriangulation, Edits};
-use sweep_cdt_testing::Random;
+use sweep_cdt_testing::{Input, Random, binary};
 
 const ROUNDS: usize = 7;
 const EDITS: usize = 2_000;
@@ -26,21 +31,25 @@ type Ours = DynamicTriangulation<f64>;
 type Spade = ConstrainedDelaunayTriangulation<Point2<f64>>;
 type Hierarchy = DelaunayTriangulation<Point2<f64>, (), (), (), HierarchyHintGenerator<f64>>;
 
-/// Microseconds for each edit, of the three programs.
-type Row = [Option<f64>; 3];
+/// Microseconds for each edit, of the four programs.
+type Row = [Option<f64>; 4];
 
 fn main() {
     let argument = std::env::args().skip(1).find(|text| !text.starts_with('-'));
     let most = argument.map_or(1_000_000, |text| text.parse().expect("a number of points"));
+    let folder = tempfile::tempdir().expect("a folder");
+    let cgal = cgal::compile(folder.path());
     println!(
-        "{:9} {:28} {:>9} {:>9} {:>9} {:>7}",
-        "points", "us an edit", "sweep-cdt", "spade", "hierarchy", "ratio"
+        "{:9} {:28} {:>9} {:>9} {:>9} {:>9} {:>7}",
+        "points", "us an edit", "sweep-cdt", "spade", "hierarchy", "CGAL", "ratio"
     );
     for n in (4..)
         .map(|digits| 10_usize.pow(digits))
         .take_while(|&n| n <= most)
     {
-        let rounds: Vec<Vec<(String, Row)>> = (0..ROUNDS).map(|round| measured(n, round)).collect();
+        let rounds: Vec<Vec<(String, Row)>> = (0..ROUNDS)
+            .map(|round| measured(n, round, cgal.as_deref()))
+            .collect();
         for (i, (name, _)) in rounds[0].iter().enumerate() {
             let median = |program: usize| {
                 let times = rounds.iter().map(|rows| rows[i].1[program]);
@@ -48,17 +57,18 @@ fn main() {
                 times.sort_by(f64::total_cmp);
                 Some(times[ROUNDS / 2])
             };
-            let [ours, spade, hierarchy] = [0, 1, 2].map(median);
+            let [ours, others @ ..] = [0, 1, 2, 3].map(median);
             let cell =
                 |time: Option<f64>| time.map_or(String::from("-"), |time| format!("{time:.2}"));
-            let others = [spade, hierarchy].into_iter().flatten();
-            let best = others.min_by(f64::total_cmp).expect("another program");
+            let best = others.into_iter().flatten().min_by(f64::total_cmp);
+            let best = best.expect("another program");
             let ratio = ours.expect("a time") / best;
             println!(
-                "{n:9} {name:28} {:>9} {:>9} {:>9} {ratio:7.2}",
+                "{n:9} {name:28} {:>9} {:>9} {:>9} {:>9} {ratio:7.2}",
                 cell(ours),
-                cell(spade),
-                cell(hierarchy)
+                cell(others[0]),
+                cell(others[1]),
+                cell(others[2])
             );
         }
     }
@@ -90,7 +100,7 @@ struct Start {
 }
 
 /// One round of all kinds of edits.
-fn measured(n: usize, round: usize) -> Vec<(String, Row)> {
+fn measured(n: usize, round: usize, cgal: Option<&Path>) -> Vec<(String, Row)> {
     let mut random = Random::new((n + round) as u64);
     let points: Vec<[f64; 2]> = (0..n).map(|_| even(&mut random)).collect();
     let mut ours = Ours::new();
@@ -118,9 +128,54 @@ fn measured(n: usize, round: usize) -> Vec<(String, Row)> {
     };
     let near: Vec<[f64; 2]> = (0..EDITS).map(|_| walk()).collect();
     rows.extend(single(&start, &near, "near the last one", round));
-    rows.push(edges(&start, &mut random));
-    rows.extend([100, 10].map(|parts| batch_of(&start, parts, &mut random)));
+    let (row, ends) = edges(&start, &mut random);
+    rows.push(row);
+    let batches = [100, 10].map(|parts| {
+        let count = start.points.len() / parts;
+        (0..count)
+            .map(|_| even(&mut random))
+            .collect::<Vec<[f64; 2]>>()
+    });
+    let names = ["a batch of 1/100", "a batch of 1/10"];
+    let timed = batches.iter().zip(names);
+    rows.extend(timed.map(|(points, name)| batch_of(&start, points, name)));
+    if let Some(program) = cgal {
+        let alone = |points: Vec<[f64; 2]>| Input {
+            points,
+            edges: Vec::new(),
+        };
+        let edges = Input {
+            points: Vec::new(),
+            edges: ends,
+        };
+        let [one, ten] = batches;
+        let counts = [EDITS, EDITS, EDITS, EDITS, EDITS, one.len(), ten.len()];
+        let inputs = [start.points.clone(), places, near].map(alone);
+        let inputs = [&inputs[..], &[edges], &[one, ten].map(alone)].concat();
+        for ((_, row), (time, edits)) in rows
+            .iter_mut()
+            .zip(timed_cgal(program, &inputs).zip(counts))
+        {
+            row[3] = Some(time / edits as f64);
+        }
+    }
     rows
+}
+
+/// Microseconds of all edits of each kind by CGAL.
+fn timed_cgal(program: &Path, inputs: &[Input]) -> impl Iterator<Item = f64> {
+    let path = program.with_extension("input");
+    binary::write_inputs(&path, inputs).expect("a file for the inputs");
+    let output = Command::new(program).arg(path).arg("edits").output();
+    let output = output.expect("CGAL runs");
+    assert!(output.status.success(), "{output:?}");
+    // A line with nanoseconds and bytes, and one with the number of triangles.
+    let text = String::from_utf8(output.stdout).expect("text");
+    let numbers = text.lines().step_by(2).map(|line| {
+        let nanoseconds = line.split_whitespace().next().expect("a number");
+        nanoseconds.parse::<f64>().expect("a number") / 1e3
+    });
+    numbers.collect::<Vec<f64>>().into_iter()
 }
 
 fn insert_theirs(into: &mut impl spade::Triangulation<Vertex = Point2<f64>>, new: &[[f64; 2]]) {
@@ -164,13 +219,13 @@ fn single(start: &Start, new: &[[f64; 2]], name: &str, round: usize) -> [(String
     });
     assert_eq!(edited.len(), other.num_inner_faces());
     [
-        (format!("insert {name}"), [a, b, c]),
-        (format!("remove {name}"), [gone, gone_theirs, None]),
+        (format!("insert {name}"), [a, b, c, None]),
+        (format!("remove {name}"), [gone, gone_theirs, None, None]),
     ]
 }
 
-/// Edges between a vertex and a neighbour of its neighbour, but for those that would cross others.
-fn edges(start: &Start, random: &mut Random) -> (String, Row) {
+/// Edges between a vertex and a neighbour of its neighbour, but for those that would cross others; and their ends.
+fn edges(start: &Start, random: &mut Random) -> ((String, Row), Vec<[usize; 2]>) {
     let mut edited = start.ours.clone();
     let mut ends = Vec::new();
     while ends.len() < EDITS {
@@ -198,24 +253,24 @@ fn edges(start: &Start, random: &mut Random) -> (String, Row) {
         }
     });
     assert_eq!(edited.constrained_sides().len(), other.num_constraints());
-    (String::from("insert edges"), [ours, spade, None])
+    let row = [ours, spade, None, None];
+    ((String::from("insert edges"), row), ends)
 }
 
-fn batch_of(start: &Start, parts: usize, random: &mut Random) -> (String, Row) {
-    let count = start.points.len() / parts;
-    let points: Vec<[f64; 2]> = (0..count).map(|_| even(random)).collect();
+fn batch_of(start: &Start, points: &[[f64; 2]], name: &str) -> (String, Row) {
+    let count = points.len();
     let (mut edited, mut other, mut layered) = (
         start.ours.clone(),
         start.spade.clone(),
         start.hierarchy.clone(),
     );
     let batch = Edits {
-        points: points.clone(),
+        points: points.to_vec(),
         ..Edits::default()
     };
     let (ours, _) = timed(count, || edited.apply(batch).expect("points"));
-    let (spade, ()) = timed(count, || insert_theirs(&mut other, &points));
-    let (hierarchy, ()) = timed(count, || insert_theirs(&mut layered, &points));
+    let (spade, ()) = timed(count, || insert_theirs(&mut other, points));
+    let (hierarchy, ()) = timed(count, || insert_theirs(&mut layered, points));
     assert_eq!(edited.len(), other.num_inner_faces());
-    (format!("a batch of 1/{parts}"), [ours, spade, hierarchy])
+    (name.to_owned(), [ours, spade, hierarchy, None])
 }

@@ -17,6 +17,8 @@
 //! A second table has the families whose edges some order makes quadratic; after the word `slanted` it is the only
 //! one.
 
+#[path = "../src/cgal.rs"]
+mod cgal;
 mod others;
 mod slanted;
 
@@ -25,7 +27,7 @@ use std::io::Write;
 use std::path::Path;
 use std::time::Instant;
 
-use others::{columns, compile_cgal, run_spade, time_cgal, time_spade};
+use others::{columns, run_spade, time_cgal, time_spade};
 use peak_alloc::PeakAlloc;
 use sweep_cdt::front::{FrontSearch, SkipList};
 use sweep_cdt::verify::verify;
@@ -56,7 +58,8 @@ fn main() {
         .first()
         .map_or(1_000_000, |text| text.parse().expect("a number of points"));
     let wanted = arguments.get(1).map_or("", String::as_str);
-    let cgal = compile_cgal();
+    let folder = tempfile::tempdir().expect("a folder");
+    let cgal = cgal::compile(folder.path());
     if !is_slanted_only {
         print(most, wanted, cgal.as_deref());
     }

@@ -1,6 +1,6 @@
 //! Other programs on the same inputs: spade, and CGAL where it can be compiled.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
@@ -53,21 +53,6 @@ pub(crate) fn time_spade(family: &str, n: usize) -> Time {
     let this = std::env::current_exe().expect("this program");
     let arguments = ["spade", family, &n.to_string()].map(str::to_owned);
     time_process(Command::new(this).args(arguments), n)
-}
-
-/// Compiles the program that calls CGAL, if `c++` and CGAL are there.
-pub(crate) fn compile_cgal() -> Option<PathBuf> {
-    let program = std::env::temp_dir().join("sweep-cdt-growth-cgal");
-    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("cgal.cpp");
-    let compiled = Command::new("c++")
-        .args(["-O2", "-DNDEBUG", "-frounding-math", "-o"])
-        .args([&program, &source])
-        .args(["-lgmp", "-lmpfr"])
-        .stderr(Stdio::null())
-        .status();
-    compiled
-        .is_ok_and(|status| status.success())
-        .then_some(program)
 }
 
 /// The time of CGAL.

@@ -14,6 +14,7 @@
 //! may be compressed with gzip. The tables are printed; as Markdown and CSV, and with a plot, they are
 //! written to the folder `--output`.
 
+mod cgal;
 mod crates;
 mod data;
 mod measure;

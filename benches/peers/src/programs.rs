@@ -9,6 +9,7 @@ use std::process::{Command, Output};
 
 use sweep_cdt_testing::{Input, binary};
 
+use crate::cgal;
 use crate::crates::{self, Answer, Stopwatch};
 use crate::data::Kind;
 
@@ -138,16 +139,9 @@ pub(crate) fn run(name: &str, input: &Path, calls: usize, answer: Option<&Path>)
     print!("{lines}");
 }
 
-/// CGAL, compiled here if there are a compiler and its headers.
+/// CGAL, if it can be compiled here.
 fn cgal(folder: &Path) -> Option<Program> {
-    let program = folder.join("cgal").to_string_lossy().into_owned();
-    let source = source("cgal.cpp").to_string_lossy().into_owned();
-    let compiler = ["c++", "-O2", "-DNDEBUG", "-frounding-math", "-o"];
-    let libraries = ["-lgmp", "-lmpfr"];
-    let arguments = compiler
-        .into_iter()
-        .chain([program.as_str(), source.as_str()]);
-    output(arguments.chain(libraries))?;
+    let program = cgal::compile(folder)?.to_string_lossy().into_owned();
     Some(Program {
         name: "CGAL",
         version: output([program.as_str()].into_iter())?,

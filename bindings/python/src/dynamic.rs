@@ -157,6 +157,20 @@ impl Dynamic {
         Ok((numbers.into_pyarray(py), table(py, ends)?))
     }
 
+    /// The regions that the last edit swept: the numbers of the vertices of each, and its edges between these.
+    fn last_sweeps<'py>(&self, py: Python<'py>) -> PyResult<Vec<Numbered<'py>>> {
+        let swept = |state: &State| -> Vec<(Vec<usize>, Vec<[usize; 2]>)> {
+            with_state!(state, |state| {
+                let sweeps = state.last_sweeps().into_iter();
+                sweeps.map(|(graph, v)| (v, graph.edges)).collect()
+            })
+        };
+        let sweeps = swept(&self.lock(py)).into_iter();
+        sweeps
+            .map(|(numbers, edges)| Ok((numbers.into_pyarray(py), table(py, edges)?)))
+            .collect()
+    }
+
     /// The vertices along an edge.
     fn chain(&self, py: Python<'_>, edge: usize) -> PyResult<Vec<usize>> {
         let chain = with_state!(&*self.lock(py), |state| state.edge_chain(edge));

@@ -39,6 +39,8 @@ def frames(columns):
         ("pandas", lambda pandas: pandas.DataFrame(columns).convert_dtypes()),
         ("polars", lambda polars: polars.DataFrame(columns)),
         ("pyarrow", lambda pyarrow: pyarrow.table(columns)),
+        ("numpy", lambda numpy: numpy.rec.fromarrays(list(columns.values()), names=list(columns))),
+        ("numpy", lambda numpy: numpy.rec.fromarrays(list(columns.values()), names=list(columns)).view(numpy.ndarray)),
     ):
         try:
             yield make(pytest.importorskip(library))
@@ -76,6 +78,16 @@ def test_half_a_pair_of_names_is_refused(names, message):
         for call in (sweep_cdt.triangulate, hill.find_simplex, lambda frame: hill.interpolate([1, 2, 3], frame)):
             with pytest.raises(sweep_cdt.Error, match=message):
                 call(frame)
+
+
+def test_a_field_that_is_masked_is_refused():
+    fields = np.array([(0, 0, 1.5), (4, 0, 2.5), (0, 4, 3.5)], dtype=[("x", "f8"), ("y", "i4"), ("z", "f4")])
+    assert sweep_cdt.triangulate(fields).heights.tolist() == [1.5, 2.5, 3.5]
+    masked = np.ma.array(fields, mask=[(False, False, True), (False, True, False), (False, False, False)])
+    with pytest.raises(sweep_cdt.KindError, match=r"points\[1, 1\] is masked or missing"):
+        sweep_cdt.triangulate(masked)
+    masked.mask = [(False, False, True), (False, False, False), (False, False, False)]
+    assert np.isnan(sweep_cdt.triangulate(masked).heights).tolist() == [True, False, False]
 
 
 def test_heights_are_asked_for_by_their_name():

@@ -129,6 +129,7 @@ impl<S: Scalar + Clone> DynamicTriangulation<S> {
             list.sort_unstable();
             list.dedup();
         }
+        self.sweeps.clear();
         self.check(&edits)?;
         self.swept.clear();
         let take = |&e: &usize| (e, self.edges[e].take().expect("an edge that is there"));
@@ -137,6 +138,7 @@ impl<S: Scalar + Clone> DynamicTriangulation<S> {
         let made = self.make(&edits, &taken, &mut vertices);
         if let Err(error) = made {
             self.region.clear();
+            self.sweeps.clear();
             self.mesh.undo();
             for (e, ends) in taken {
                 self.edges[e] = Some(ends);

@@ -101,6 +101,10 @@ impl<S: Scalar + Clone> DynamicTriangulation<S> {
                 self.same.insert(v, first);
             }
         }
+        for v in &mut vertices {
+            *v = self.same.get(v).copied().unwrap_or(*v);
+        }
+        self.sweeps.push((vertices, edges));
         self.region.clear();
         self.swept.extend(&found);
         let across = border

@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 
 use sweep_cdt::scalar::Scalar;
-use sweep_cdt::{Session, Triangulator};
+use sweep_cdt::{Pslg, Session, Triangulator};
 
 use crate::hints::Hints;
-use crate::mesh::{Mesh, NONE, prev, turned};
+use crate::mesh::{Mesh, NONE, prev, side_of, turned};
 use crate::points::Points;
 use crate::region::Region;
 
@@ -29,6 +29,8 @@ pub struct DynamicTriangulation<S> {
     pub(crate) local: Vec<u32>,
     /// The triangles that the last edit made, and some of which it may have removed again.
     pub(crate) swept: Vec<u32>,
+    /// The vertices and edges of each sweep of the last edit.
+    pub(crate) sweeps: Vec<(Vec<u32>, Vec<[usize; 2]>)>,
     /// New vertices that equal others.
     pub(crate) same: BTreeMap<u32, u32>,
 }
@@ -45,6 +47,7 @@ impl<S> Default for DynamicTriangulation<S> {
             region: Region::default(),
             local: Vec::new(),
             swept: Vec::new(),
+            sweeps: Vec::new(),
             same: BTreeMap::new(),
         }
     }
@@ -85,6 +88,15 @@ impl<S: Scalar + Clone> DynamicTriangulation<S> {
         Some(vertices.map(|v| self.points.name(v)))
     }
 
+    /// The triangle across a side, which is opposite this corner of a triangle; `None` beyond the hull.
+    pub fn neighbor(&self, t: usize, side: usize) -> Option<usize> {
+        let t = u32::try_from(t)
+            .ok()
+            .filter(|&t| self.mesh.triangle(t).is_some())?;
+        let across = self.mesh.twin(side_of(t, side));
+        (across != NONE).then_some(across as usize / 3)
+    }
+
     /// All triangles.
     pub fn triangles(&self) -> impl Iterator<Item = [usize; 3]> + '_ {
         let vertices = self.mesh.all().filter_map(|t| self.mesh.triangle(t));
@@ -96,6 +108,39 @@ impl<S: Scalar + Clone> DynamicTriangulation<S> {
         let mut list: Vec<_> = self.triangles().map(turned).collect();
         list.sort_unstable();
         list
+    }
+
+    /// What the last edit swept, region by region: the vertices of a region, with its border and the parts of edges in
+    /// it as edges, and the numbers of these vertices. The steps of an edit are the steps of these sweeps
+    /// (`sweep_cdt::trace`). Empty after an edit that was refused.
+    ///
+    /// ```
+    /// let mut square = sweep_cdt_edit::DynamicTriangulation::new();
+    /// for corner in [[0.0, 0.0], [9.0, 0.0], [9.0, 9.0], [0.0, 8.0]] {
+    ///     square.insert(corner)?;
+    /// }
+    /// square.insert([7.0, 4.0])?;
+    /// let sweeps = square.last_sweeps();
+    /// assert_eq!(sweeps.len(), 1);
+    /// let (graph, numbers) = &sweeps[0];
+    /// assert_eq!((graph.points.len(), graph.edges.len()), (5, 4));
+    /// assert_eq!(numbers.iter().max(), Some(&4));
+    /// # Ok::<(), sweep_cdt_edit::EditError>(())
+    /// ```
+    pub fn last_sweeps(&self) -> Vec<(Pslg<S>, Vec<usize>)> {
+        let sweep = |(vertices, edges): &(Vec<u32>, Vec<[usize; 2]>)| {
+            let points = vertices.iter().map(|&v| self.points.place(v).clone());
+            let graph = Pslg {
+                points: points.collect(),
+                edges: edges.clone(),
+                ..Pslg::default()
+            };
+            (
+                graph,
+                vertices.iter().map(|&v| self.points.name(v)).collect(),
+            )
+        };
+        self.sweeps.iter().map(sweep).collect()
     }
 
     /// The numbers of all points that are there, in ascending order.

@@ -24,6 +24,22 @@ pub fn assert_fresh<S: Scalar + Clone>(edited: &DynamicTriangulation<S>, what: &
     assert_eq!(edited.len(), fresh.len(), "{what}");
     let hull: Vec<usize> = fresh.hull().map(|v| numbers[v]).collect();
     assert_eq!(edited.hull(), hull, "{what}");
+    let mut borders = 0;
+    let all = (0..).filter_map(|t| Some((t, edited.triangle(t)?)));
+    for (t, corners) in all.take(edited.len()) {
+        for side in 0..3 {
+            let Some(across) = edited.neighbor(t, side) else {
+                borders += 1;
+                continue;
+            };
+            let ends = [1, 2].map(|i| corners[(side + i) % 3]);
+            let beyond = edited.triangle(across).expect("a triangle");
+            let apex = beyond.iter().position(|v| !ends.contains(v));
+            let back = apex.and_then(|apex| edited.neighbor(across, apex));
+            assert_eq!(back, Some(t), "{what}: side {side} of {corners:?}");
+        }
+    }
+    assert_eq!(borders, hull.len(), "{what}");
     for (i, &e) in edges.iter().enumerate() {
         let chain: Vec<usize> = fresh.edge_chain(i).map(|v| numbers[v]).collect();
         assert_eq!(edited.edge_chain(e), Some(chain), "{what}: edge {e}");
@@ -49,6 +65,12 @@ pub fn assert_fresh<S: Scalar + Clone>(edited: &DynamicTriangulation<S>, what: &
         found.sort_unstable();
         assert_eq!(found, around, "{what}: point {p}");
     }
+}
+
+fn lowest_first(mut corners: [usize; 3]) -> [usize; 3] {
+    let lowest = (0..3).min_by_key(|&i| corners[i]).expect("three corners");
+    corners.rotate_left(lowest);
+    corners
 }
 
 /// Panics unless the batch was refused for a reason that it gives, and changed nothing.
@@ -139,6 +161,17 @@ pub fn history<S: Scalar + Clone>(
                     name.is_some() && name != before.representative(p)
                 };
                 if !before.points().any(is_renamed) {
+                    let sweeps = edited.last_sweeps().into_iter();
+                    let swept: BTreeSet<[usize; 3]> = sweeps
+                        .flat_map(|(graph, numbers)| {
+                            let run = triangulate(&graph.points, &graph.edges);
+                            let run = run.unwrap_or_else(|error| panic!("{what}: {error}"));
+                            let named = run.triangles().map(|t| t.map(|v| numbers[v]));
+                            named.map(lowest_first).collect::<Vec<_>>()
+                        })
+                        .collect();
+                    let is_swept = |t: &[usize; 3]| swept.contains(t);
+                    assert!(change.new.iter().all(is_swept), "{what}");
                     let mut triangles = before.canonical_triangles();
                     triangles.retain(|t| !change.gone.contains(t));
                     triangles.extend(change.new);
@@ -148,6 +181,7 @@ pub fn history<S: Scalar + Clone>(
             }
             Err(error) => {
                 counts[1] += 1;
+                assert!(edited.last_sweeps().is_empty(), "{what}");
                 assert_refused(&before, &edited, &edits, error, &what);
             }
         }

@@ -20,11 +20,14 @@ WHOLE = 2**53
 
 
 def by_names(given: Any, height: str | None = None) -> tuple[Any, Any]:
-    """Of a frame that names x and y, as a table does in its first row: these columns, and the one of heights, if it names
-    one, or has the one that is asked for. Anything else as it is."""
-    if not (hasattr(given, "columns") and hasattr(given, "__array__")):
+    """Of a frame, or of an array with fields, that names x and y, as a table does in its first row: these columns, and the
+    one of heights, if it names one, or has the one that is asked for. Anything else as it is."""
+    if _has_fields(given):
+        names = list(given.dtype.names)
+    elif _is_frame(given):
+        names = [str(name) for name in getattr(given, "column_names", given.columns)]
+    else:
         return given, None
-    names = [str(name) for name in getattr(given, "column_names", given.columns)]
     places = _native.named_columns(names)
     if places is None:
         return given, None
@@ -34,8 +37,19 @@ def by_names(given: Any, height: str | None = None) -> tuple[Any, Any]:
     return _picked(given, places[:2]), _picked(given, heights) if heights else None
 
 
+def _is_frame(given: Any) -> bool:
+    """Whether this is a frame of pandas or polars, or a table of pyarrow."""
+    return hasattr(given, "columns") and hasattr(given, "__array__")
+
+
+def _has_fields(given: Any) -> bool:
+    return isinstance(given, np.ndarray) and bool(given.dtype.names)
+
+
 def _picked(given: Any, places: list[int]) -> Any:
-    """Some columns of a frame of pandas or polars, or of a table of pyarrow."""
+    """Some columns of a frame, or fields of an array."""
+    if _has_fields(given):
+        return given[[given.dtype.names[at] for at in places]]
     if hasattr(given, "iloc"):
         return given.iloc[:, places]
     return given.select(places) if hasattr(given, "column_names") else given[:, places]
@@ -117,10 +131,10 @@ def _read(given: Any) -> tuple[np.ndarray, np.ndarray | None]:
     if isinstance(given, (list, tuple)) and any(isinstance(row, np.ma.MaskedArray) for row in given):
         # NumPy would drop the masks.
         given = np.ma.array(given)
+    if _has_fields(given) or _is_frame(given):
+        return _of_columns(given)
     if isinstance(given, np.ma.MaskedArray):
         return np.asarray(given.data), np.ma.getmaskarray(given)
-    if hasattr(given, "columns") and hasattr(given, "__array__"):
-        return _of_columns(given)
     if hasattr(given, "isna") and hasattr(given, "to_numpy"):
         return _of_column(given)
     if isinstance(given, np.ndarray) or hasattr(given, "__array__"):
@@ -135,8 +149,10 @@ def _read(given: Any) -> tuple[np.ndarray, np.ndarray | None]:
 
 
 def _of_columns(given: Any) -> tuple[np.ndarray, np.ndarray | None]:
-    """A frame of pandas or polars, or a table of pyarrow."""
-    if hasattr(given, "iloc"):
+    """A frame, or an array with fields."""
+    if _has_fields(given):
+        columns = [given[name] for name in given.dtype.names]
+    elif hasattr(given, "iloc"):
         columns = [given.iloc[:, at] for at in range(given.shape[1])]
     else:
         columns = given.get_columns() if hasattr(given, "get_columns") else list(given.columns)
@@ -147,12 +163,14 @@ def _of_columns(given: Any) -> tuple[np.ndarray, np.ndarray | None]:
     if len({array.dtype.kind for array in arrays}) > 1 and not all(map(fits, arrays)):
         # NumPy rounds whole numbers beside doubles.
         arrays = [array.astype(object) for array in arrays]
-    none = np.zeros(len(arrays[0]), dtype=bool)
-    return np.column_stack(arrays), np.column_stack([none if mask is None else mask for _, mask in read])
+    none = np.zeros(arrays[0].shape, dtype=bool)
+    return np.stack(arrays, axis=-1), np.stack([none if mask is None else mask for _, mask in read], axis=-1)
 
 
 def _of_column(given: Any) -> tuple[np.ndarray, np.ndarray | None]:
     """A column or an index. One of pandas that can hold NA has a type of its own, which names that of NumPy."""
+    if isinstance(given, np.ma.MaskedArray):
+        return np.asarray(given.data), np.ma.getmaskarray(given)
     kind = getattr(getattr(given, "dtype", None), "numpy_dtype", None)
     if kind is None:
         return np.asarray(given), None

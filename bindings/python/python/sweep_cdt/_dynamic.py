@@ -193,6 +193,30 @@ class DynamicTriangulation:
         (number,) = _numbers([edge], "edge")
         return np.array(self._core.chain(number), dtype=np.intp)
 
+    def last_sweeps(self) -> list[tuple[np.ndarray, np.ndarray, np.ndarray]]:
+        """The regions that the last edit swept: their steps are the steps of the edit.
+
+        Returns
+        -------
+        list of tuples
+            The places of the vertices of a region; its border and the parts of edges in it, as an array of shape (k, 2)
+            of positions in these; and the numbers of the vertices. Empty after an edit that was refused.
+
+        Examples
+        --------
+        A page to walk through the steps of an edit:
+
+        >>> import sweep_cdt
+        >>> square = sweep_cdt.DynamicTriangulation([[0, 0], [9, 0], [9, 9], [0, 8]])
+        >>> change = square.insert([[7, 4]])
+        >>> [(points, edges, numbers)] = square.last_sweeps()
+        >>> len(points), len(edges), max(numbers.tolist())
+        (5, 4, 4)
+        >>> page = sweep_cdt.trace(points, edges).to_html()
+        """
+        swept = self._core.last_sweeps()
+        return [(self.places(numbers), edges.view(np.intp), numbers.view(np.intp)) for numbers, edges in swept]
+
     def nearest(self, xi: Any) -> np.ndarray:
         """The number of the point nearest to each place, decided exactly; of several the lowest one.
 
