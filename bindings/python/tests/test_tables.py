@@ -83,11 +83,12 @@ def test_half_a_pair_of_names_is_refused(names, message):
 def test_a_field_that_is_masked_is_refused():
     fields = np.array([(0, 0, 1.5), (4, 0, 2.5), (0, 4, 3.5)], dtype=[("x", "f8"), ("y", "i4"), ("z", "f4")])
     assert sweep_cdt.triangulate(fields).heights.tolist() == [1.5, 2.5, 3.5]
-    masked = np.ma.array(fields, mask=[(False, False, True), (False, True, False), (False, False, False)])
+    mask = np.zeros(3, dtype=[("x", bool), ("y", bool), ("z", bool)])
+    mask["z"][0] = True
+    assert np.isnan(sweep_cdt.triangulate(np.ma.array(fields, mask=mask)).heights).tolist() == [True, False, False]
+    mask["y"][1] = True
     with pytest.raises(sweep_cdt.KindError, match=r"points\[1, 1\] is masked or missing"):
-        sweep_cdt.triangulate(masked)
-    masked.mask = [(False, False, True), (False, False, False), (False, False, False)]
-    assert np.isnan(sweep_cdt.triangulate(masked).heights).tolist() == [True, False, False]
+        sweep_cdt.triangulate(np.ma.array(fields, mask=mask))
 
 
 def test_heights_are_asked_for_by_their_name():

@@ -179,7 +179,7 @@ fn summaries_of(experiment: &str, rows: &[Row]) -> Vec<Summary> {
                 ratio: ratio.map(|ratio| ratio.middle),
                 low: ratio.map(|ratio| ratio.low),
                 high: ratio.map(|ratio| ratio.high),
-                verdict: ratio.map(|ratio| ratio.verdict()),
+                verdict: ratio.and_then(|ratio| ratio.verdict()),
                 instructions: middle(&|row| per_point(row, row.instructions)),
                 mispredicted: middle(&|row| per_point(row, row.mispredicted)),
                 first_misses: middle(&|row| per_point(row, row.first_misses)),

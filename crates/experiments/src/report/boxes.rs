@@ -62,7 +62,7 @@ pub(super) fn map(table: &Table, scale: Scale) -> String {
                 };
                 let corners = [(left, top), (left + BOX[0] - 1, top + BOX[1] - 1)];
                 fill(area, corners, colour);
-                if matches!(entry, Entry::Ratio(ratio) if ratio.verdict() == "loss") {
+                if matches!(entry, Entry::Ratio(ratio) if ratio.verdict() == Some("loss")) {
                     frame(area, corners);
                 }
                 let at = (left + BOX[0] / 2, middle);

@@ -60,7 +60,8 @@ impl<F: Structure> Model<'_, F> {
 fn allowed(name: &str, nodes: usize) -> f64 {
     match name {
         "walk from the last node" | "walk from the end" => nodes as f64,
-        "hash table (default)" | "hash over ranks" | "learned table" => 8.0,
+        "hash table (default)" | "hash table, counting" => 8.0,
+        "hash over ranks" | "learned table" => 8.0,
         _ if name.starts_with("fixed table") => 8.0,
         "splay tree, 10 % sample" => 25.0,
         // Of equal x any node may be named.
@@ -79,7 +80,7 @@ fn allowed_work(name: &str, nodes: usize) -> f64 {
         "fixed table, 32" => 32.0,
         "hash over ranks" | "learned table" => 64.0,
         // An entry, sixteen on either side of it, and the last node.
-        "hash table (default)" => 34.0,
+        "hash table (default)" | "hash table, counting" => 34.0,
         // A search anywhere halves the ranks of all vertices.
         "bit set over ranks" | "van Emde Boas tree" | "sampled universe" => 16.0,
         "treap" | "skip list" => 4.0 + 2.0 * halvings,
