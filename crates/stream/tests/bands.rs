@@ -1,11 +1,11 @@
 //! Bands: joined in any order, what they pass on is the result in memory.
 
 use sweep_cdt::{Error, Triangulator, triangulate};
-use sweep_cdt_stream::{Cut, Final, Rest, StreamError};
+use sweep_cdt_stream::{Cut, Final, Rest, RestError, StreamError};
 use sweep_cdt_testing::data::Hard;
 use sweep_cdt_testing::generators::{medium, small};
 use sweep_cdt_testing::oracle::{crosses, found};
-use sweep_cdt_testing::streams::banded;
+use sweep_cdt_testing::streams::{banded, written_and_read};
 use sweep_cdt_testing::{Input, Random, families};
 
 /// Tries bands of up to so many vertices, joined in several orders.
@@ -14,7 +14,7 @@ fn assert_as_in_memory(input: &Input, sizes: &[usize], random: &mut Random) {
     let memory = triangulate(points, edges);
     for &most in sizes {
         let name = || format!("bands of {most}: {input:?}");
-        match (&memory, banded::<f64>(input, most, random)) {
+        match (&memory, banded(input, most, random, written_and_read)) {
             (Ok(result), Some(Ok(answer))) => {
                 let expected = found(result, points.len(), edges.len());
                 assert_eq!(answer, expected, "{}", name());
@@ -177,4 +177,49 @@ fn rests_are_joined_with_their_neighbours_alone() {
         assert_eq!(joined(made(&other, 5, 5.0, &[edge])), of_other);
     }
     assert_eq!(joined(made(&cut, 5, 3.5, &[edge])), of_other);
+}
+
+/// A rest with every kind of side and of edge, and what is no rest.
+#[test]
+fn files_that_are_no_rests_are_refused() {
+    let points: Vec<[f64; 2]> = (0..100)
+        .map(|i| [f64::from(i * 37 % 101), f64::from(i)])
+        .collect();
+    let cut = Cut {
+        vertices: 300,
+        between: [0.0, 101.0],
+    };
+    let ends = [[1.0, -5.0], [50.0, 200.0]];
+    let edges = [
+        (5, [points[3], points[90]]),
+        (6, [points[20], ends[1]]),
+        (7, [ends[0], points[80]]),
+        (8, [[101.0, -9.0], [99.5, 300.0]]),
+    ];
+    let vertices = (0..).zip(points.iter().copied());
+    let band = cut.band(100, vertices, edges, |_| ()).expect("a band");
+    let mut session = Triangulator::new().session();
+    let rest = band.settle(&mut session, |_| ()).expect("no crossings");
+    let bytes = written_and_read(rest).to_bytes();
+    let refused = |bytes: &[u8]| Rest::from_bytes(bytes).map(|rest| rest.covered());
+    assert_eq!(refused(&bytes), Ok(100..200));
+    for length in 0..bytes.len() {
+        assert!(refused(&bytes[..length]).is_err(), "{length} bytes");
+    }
+    for at in 0..bytes.len() {
+        let mut altered = bytes.clone();
+        altered[at] ^= 1;
+        let error = match at {
+            0..8 => RestError::Foreign,
+            8 => RestError::Version(0),
+            9..16 => RestError::Version(1 + (1 << (8 * (at - 8)))),
+            _ => RestError::Damaged,
+        };
+        assert_eq!(refused(&altered), Err(error), "byte {at}");
+    }
+    assert_eq!(
+        refused(&[&bytes[..], &[0]].concat()),
+        Err(RestError::Damaged)
+    );
+    assert_eq!(refused(b"ply\nformat ascii 1.0\n"), Err(RestError::Foreign));
 }

@@ -105,7 +105,7 @@ fn windows_of<S: Sample + Clone>(scalar: &str) -> Vec<Run> {
             },
             call: |input, choice| {
                 let random = &mut Random::new(input.points.len() as u64);
-                banded::<S>(input, choice.window, random)
+                banded::<S>(input, choice.window, random, |rest| rest)
             },
         });
     }

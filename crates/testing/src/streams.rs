@@ -6,6 +6,7 @@ use std::collections::BTreeSet;
 use sweep_cdt::verify::{Level, Verifier};
 use sweep_cdt::{Error, Triangulation};
 use sweep_cdt_generate::Random;
+pub use sweep_cdt_stream::Rest;
 use sweep_cdt_stream::{Cut, Final, Stream, StreamError, StreamVerifier, StreamViolation};
 
 use crate::Input;
@@ -51,7 +52,8 @@ pub fn streamed<S: Sample + Clone>(
     }))
 }
 
-/// The outcome of bands of up to so many vertices, joined in an order by chance; otherwise like [`streamed`].
+/// The outcome of bands of up to so many vertices, joined in an order by chance; otherwise like [`streamed`]. What is
+/// done next gets each rest through `carried`.
 ///
 /// # Panics
 /// As [`streamed`].
@@ -59,6 +61,7 @@ pub fn banded<S: Sample + Clone>(
     input: &Input,
     most: usize,
     random: &mut Random,
+    carried: impl Fn(Rest<S>) -> Rest<S>,
 ) -> Option<Result<Answer, Error>> {
     let points = fed::<S>(input)?;
     Some(collected(&points, &input.edges, |sorted, out| {
@@ -92,7 +95,7 @@ pub fn banded<S: Sample + Clone>(
         // A rest may be joined to others before it has been settled, and be settled twice.
         loop {
             let at = random.below(rests.len());
-            let mut rest = rests.remove(at);
+            let mut rest = carried(rests.remove(at));
             if random.below(3) > 0 {
                 rest = rest.settle(&mut session, &mut out)?;
             } else if at < rests.len() {
@@ -106,6 +109,17 @@ pub fn banded<S: Sample + Clone>(
             }
         }
     }))
+}
+
+/// A rest that was written and read.
+///
+/// # Panics
+/// If it cannot be read, or is written otherwise then.
+pub fn written_and_read(rest: Rest<f64>) -> Rest<f64> {
+    let bytes = rest.to_bytes();
+    let read = Rest::from_bytes(&bytes).expect("what was written");
+    assert_eq!(read.to_bytes(), bytes);
+    read
 }
 
 /// The points in a scalar; `None` if it cannot hold them, or a stream refuses them.

@@ -1,11 +1,14 @@
-//! A stream passes on the result in memory, whatever the window, the front and the scalar; bands do, in whatever order
-//! they are joined; and the verifier of streams says of each list of triangles what the verifier in memory says, in any order and at each level.
+//! A stream passes on the result in memory, whatever the window, the front and the scalar. Bands do so, in whatever order
+//! they are joined. And the verifier of streams says of each list of triangles what the verifier in memory says, in any
+//! order and at each level.
 
 use num_rational::BigRational;
 use sweep_cdt::verify::Level;
 use sweep_cdt_testing::oracle::{Answer, crosses, found};
-use sweep_cdt_testing::samples::Sample;
-use sweep_cdt_testing::streams::{Altered, Feeding, Streaming, banded, streamed};
+use sweep_cdt_testing::runs::Sample;
+use sweep_cdt_testing::streams::{
+    Altered, Feeding, Rest, Streaming, banded, streamed, written_and_read,
+};
 use sweep_cdt_testing::tuned::triangulate;
 use sweep_cdt_testing::{AnyFront, Input, Random, generators};
 
@@ -27,13 +30,12 @@ pub fn test(bytes: &[u8]) {
     };
     let bands = (window & 8 != 0).then_some(choices >> 24);
     let outcome = match scalar % 4 {
-        0 => passed_on::<BigRational>(&input, &way, bands),
-        1 => {
-            passed_on::<i64>(&input, &way, bands).or_else(|| passed_on::<f32>(&input, &way, bands))
-        }
+        0 => passed_on::<BigRational>(&input, &way, bands, |rest| rest),
+        1 => passed_on::<i64>(&input, &way, bands, |rest| rest)
+            .or_else(|| passed_on::<f32>(&input, &way, bands, |rest| rest)),
         _ => None,
     };
-    let outcome = outcome.or_else(|| passed_on::<f64>(&input, &way, bands));
+    let outcome = outcome.or_else(|| passed_on::<f64>(&input, &way, bands, written_and_read));
     let outcome = outcome.expect("doubles hold all finite coordinates");
     let Input { points, edges } = &input;
     match (triangulate(points, edges), outcome) {
@@ -67,14 +69,15 @@ pub fn test(bytes: &[u8]) {
     }
 }
 
-/// The outcome of a stream, or of bands as high as its windows, joined in an order that a number chooses.
+/// The outcome of a stream, or of bands as high as its windows, joined in an order that a number chooses, each carried so.
 fn passed_on<S: Sample + Clone>(
     input: &Input,
     way: &Streaming,
     bands: Option<u64>,
+    carried: fn(Rest<S>) -> Rest<S>,
 ) -> Option<Result<Answer, sweep_cdt::Error>> {
     match bands {
         None => streamed::<S>(input, way),
-        Some(seed) => banded::<S>(input, way.window, &mut Random::new(seed)),
+        Some(seed) => banded::<S>(input, way.window, &mut Random::new(seed), carried),
     }
 }

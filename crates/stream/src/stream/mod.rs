@@ -37,6 +37,7 @@ mod corridor;
 mod error;
 mod finality;
 mod rest;
+mod rest_file;
 mod retire;
 mod stats;
 mod swept;
@@ -47,6 +48,7 @@ use std::mem;
 
 pub use error::StreamError;
 pub use rest::{Cut, Rest};
+pub use rest_file::RestError;
 pub use retire::Final;
 pub use stats::{Alive, StreamStats};
 

@@ -199,7 +199,7 @@ impl<S: Scalar + Clone> Rest<S> {
     }
 
     /// Whether the lower end of an edge lies below the first vertex, and the upper one above the last.
-    fn beyond(&self, [low, high]: &[[S; 2]; 2]) -> [bool; 2] {
+    pub(super) fn beyond(&self, [low, high]: &[[S; 2]; 2]) -> [bool; 2] {
         let [first, last] = &self.ends;
         [
             sweep_order(low, first).is_lt(),
@@ -210,6 +210,11 @@ impl<S: Scalar + Clone> Rest<S> {
     /// How many vertices it has.
     pub fn vertices(&self) -> usize {
         self.window.points.len()
+    }
+
+    /// How many vertices all bands have together.
+    pub fn total(&self) -> u64 {
+        self.cut.vertices
     }
 
     /// The positions in the order of the vertices that it stands for.
