@@ -11,10 +11,10 @@ use num_bigint::BigInt;
 #[cfg(feature = "runs")]
 use num_rational::{BigRational, Ratio};
 use sweep_cdt::{Algorithm, Error, Heuristics, Session, Triangulator, Tuning};
+#[cfg(feature = "runs")]
+use sweep_cdt_generate::Random;
 
 use crate::Input;
-#[cfg(feature = "runs")]
-use crate::Random;
 use crate::any_front::AnyFront;
 use crate::fronts::{Choice, triangulate};
 use crate::oracle::{Answer, Verdict, found};
