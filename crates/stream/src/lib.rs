@@ -3,6 +3,7 @@
 //!
 //! - `external` brings an input of any length into the order of the sweep (with the feature `external`, a default).
 //! - [`Stream`] takes vertices in the order of the sweep, and passes on triangles that are final.
+//! - [`Cut`] and [`Rest`] do that with the bands of an input, each apart from the others, on any machine.
 //! - [`StreamVerifier`] judges triangles that come in any order.
 
 #[cfg(feature = "external")]
@@ -10,7 +11,7 @@ pub mod external;
 mod stream;
 mod verify;
 
-pub use stream::{Alive, Final, Stream, StreamError, StreamStats};
+pub use stream::{Alive, Cut, Final, Rest, RestError, Stream, StreamError, StreamStats};
 pub use verify::{StreamReport, StreamVerifier, StreamViolation};
 
 /// The example of the README, as a test.

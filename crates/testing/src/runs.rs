@@ -11,6 +11,8 @@ use num_bigint::BigInt;
 #[cfg(feature = "runs")]
 use num_rational::{BigRational, Ratio};
 use sweep_cdt::{Algorithm, Error, Heuristics, Session, Triangulator, Tuning};
+#[cfg(feature = "runs")]
+use sweep_cdt_generate::Random;
 
 use crate::Input;
 use crate::any_front::AnyFront;
@@ -18,7 +20,7 @@ use crate::fronts::{Choice, triangulate};
 use crate::oracle::{Answer, Verdict, found};
 pub use crate::samples::{Archetype, Sample, convert};
 #[cfg(feature = "runs")]
-use crate::streams::{Streaming, streamed};
+use crate::streams::{Streaming, banded, streamed};
 use crate::tuned::is_small;
 
 /// The outcome of a run.
@@ -77,32 +79,46 @@ pub fn all() -> Vec<Run> {
     runs
 }
 
-/// The runs of streams: scalars that can be cloned, with windows of several sizes.
+/// The runs of streams: scalars that can be cloned, with windows of several sizes, and with bands that are joined.
 #[cfg(feature = "runs")]
 fn in_windows() -> Vec<Run> {
-    let calls: [(&str, Call); 8] = [
-        ("f64", call_in_windows::<f64>),
-        ("f32", call_in_windows::<f32>),
-        ("i32", call_in_windows::<i32>),
-        ("i64", call_in_windows::<i64>),
-        ("i128", call_in_windows::<i128>),
-        ("Ratio<i64>", call_in_windows::<Ratio<i64>>),
-        ("BigInt", call_in_windows::<BigInt>),
-        ("BigRational", call_in_windows::<BigRational>),
-    ];
+    let mut runs = windows_of::<f64>("f64");
+    runs.extend(windows_of::<f32>("f32"));
+    runs.extend(windows_of::<i32>("i32"));
+    runs.extend(windows_of::<i64>("i64"));
+    runs.extend(windows_of::<i128>("i128"));
+    runs.extend(windows_of::<Ratio<i64>>("Ratio<i64>"));
+    runs.extend(windows_of::<BigInt>("BigInt"));
+    runs.extend(windows_of::<BigRational>("BigRational"));
+    runs
+}
+
+#[cfg(feature = "runs")]
+fn windows_of<S: Sample + Clone>(scalar: &str) -> Vec<Run> {
     let mut runs = Vec::new();
-    for (scalar, call) in calls {
-        for (front, window) in AnyFront::all().into_iter().zip(WINDOWS.into_iter().cycle()) {
-            runs.push(Run {
-                name: format!("stream of {scalar}, {}, windows of {window}", front.name()),
-                choice: Choice {
-                    front,
-                    window,
-                    ..Choice::default()
-                },
-                call,
-            });
-        }
+    for window in [1, 2, 7] {
+        runs.push(Run {
+            name: format!("{scalar} in rests of bands of {window}"),
+            choice: Choice {
+                window,
+                ..Choice::default()
+            },
+            call: |input, choice| {
+                let random = &mut Random::new(input.points.len() as u64);
+                banded::<S>(input, choice.window, random, |rest| rest)
+            },
+        });
+    }
+    for (front, window) in AnyFront::all().into_iter().zip(WINDOWS.into_iter().cycle()) {
+        runs.push(Run {
+            name: format!("stream of {scalar}, {}, windows of {window}", front.name()),
+            choice: Choice {
+                front,
+                window,
+                ..Choice::default()
+            },
+            call: call_in_windows::<S>,
+        });
     }
     runs
 }

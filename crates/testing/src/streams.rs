@@ -6,7 +6,8 @@ use std::collections::BTreeSet;
 use sweep_cdt::verify::{Level, Verifier};
 use sweep_cdt::{Error, Triangulation};
 use sweep_cdt_generate::Random;
-use sweep_cdt_stream::{Final, Stream, StreamError, StreamVerifier, StreamViolation};
+pub use sweep_cdt_stream::Rest;
+use sweep_cdt_stream::{Cut, Final, Stream, StreamError, StreamVerifier, StreamViolation};
 
 use crate::Input;
 use crate::any_front::AnyFront;
@@ -33,16 +34,114 @@ pub fn streamed<S: Sample + Clone>(
     input: &Input,
     way: &Streaming,
 ) -> Option<Result<Answer, Error>> {
+    let points = fed::<S>(input)?;
+    Some(collected(&points, &input.edges, |sorted, out| {
+        let mut front = way.front.clone();
+        let stream = Stream::new(triangulator(&points, &input.edges), out);
+        let mut stream = stream.window(way.window);
+        if !matches!(front, AnyFront::HashTable(_)) {
+            stream = stream.front(&mut front);
+        }
+        if way.is_range_known
+            && let Some([least, most]) = range(&points)
+        {
+            stream = stream.between(least, most);
+        }
+        feed(&mut stream, &points, &input.edges, sorted)?;
+        stream.finish().map(|stats| stats.triangles)
+    }))
+}
+
+/// The outcome of bands of up to so many vertices, joined in an order by chance; otherwise like [`streamed`]. What is
+/// done next gets each rest through `carried`.
+///
+/// # Panics
+/// As [`streamed`].
+pub fn banded<S: Sample + Clone>(
+    input: &Input,
+    most: usize,
+    random: &mut Random,
+    carried: impl Fn(Rest<S>) -> Rest<S>,
+) -> Option<Result<Answer, Error>> {
+    let points = fed::<S>(input)?;
+    Some(collected(&points, &input.edges, |sorted, out| {
+        let mut count = 0;
+        let mut out = |found| {
+            count += u64::from(matches!(found, Final::Triangle { .. }));
+            out(found);
+        };
+        let Some(between) = range(&points) else {
+            return Ok(0);
+        };
+        let vertices = points.len() as u64;
+        let cut = Cut { vertices, between };
+        let mut session = triangulator(&points, &input.edges).session();
+        let mut rests = Vec::new();
+        let mut first = 0;
+        while first < sorted.len() {
+            let mut end = (first + 1 + random.below(most)).min(sorted.len());
+            // Equal points belong to one band.
+            let order = |u: usize, v: usize| sweep_order(&points[sorted[u]], &points[sorted[v]]);
+            while end < sorted.len() && order(end - 1, end).is_eq() {
+                end += 1;
+            }
+            let band = sorted[first..end].iter();
+            let band = band.map(|&v| (v as u64, points[v].clone()));
+            let ends = |&edge: &[usize; 2]| edge.map(|v| points[v].clone());
+            let edges = (0..).zip(input.edges.iter().map(ends));
+            rests.push(cut.band(first as u64, band, edges, &mut out)?);
+            first = end;
+        }
+        // A rest may be joined to others before it has been settled, and be settled twice.
+        loop {
+            let at = random.below(rests.len());
+            let mut rest = carried(rests.remove(at));
+            if random.below(3) > 0 {
+                rest = rest.settle(&mut session, &mut out)?;
+            } else if at < rests.len() {
+                rest = rest.followed_by(rests.remove(at))?;
+            }
+            rests.insert(at, rest);
+            if rests[0].is_complete() {
+                let left = rests.remove(0).settle(&mut session, &mut out)?;
+                assert!(count == 0 || left.vertices() == 0, "vertices are left");
+                return Ok(count);
+            }
+        }
+    }))
+}
+
+/// A rest that was written and read.
+///
+/// # Panics
+/// If it cannot be read, or is written otherwise then.
+pub fn written_and_read(rest: Rest<f64>) -> Rest<f64> {
+    let bytes = rest.to_bytes();
+    let read = Rest::from_bytes(&bytes).expect("what was written");
+    assert_eq!(read.to_bytes(), bytes);
+    read
+}
+
+/// The points in a scalar; `None` if it cannot hold them, or a stream refuses them.
+fn fed<S: Sample>(input: &Input) -> Option<Vec<[S; 2]>> {
     let points = convert::<S>(&input.points)?;
     let is_fed = points.iter().flatten().all(S::is_finite)
         && input.edges.iter().flatten().all(|&v| v < points.len());
-    is_fed.then(|| collected(&points, &input.edges, way))
+    is_fed.then_some(points)
 }
 
+/// The least and the greatest x.
+fn range<S: Sample + Clone>(points: &[[S; 2]]) -> Option<[S; 2]> {
+    let by_x = |u: &&[S; 2], v: &&[S; 2]| u[0].compare(&v[0]);
+    let [least, most] = [points.iter().min_by(by_x)?, points.iter().max_by(by_x)?];
+    Some([least[0].clone(), most[0].clone()])
+}
+
+/// What `run` passes on, which gets the vertices in the order of the sweep and returns how many triangles there are.
 fn collected<S: Sample + Clone>(
     points: &[[S; 2]],
     edges: &[[usize; 2]],
-    way: &Streaming,
+    run: impl FnOnce(&[usize], &mut dyn FnMut(Final)) -> Result<u64, StreamError>,
 ) -> Result<Answer, Error> {
     let order = |&u: &usize, &v: &usize| sweep_order(&points[u], &points[v]);
     let mut sorted: Vec<usize> = (0..points.len()).collect();
@@ -56,7 +155,7 @@ fn collected<S: Sample + Clone>(
     };
     let mut hull = Vec::new();
     let small = |number: u64| usize::try_from(number).expect("a position");
-    let stream = Stream::new(triangulator(points, edges), |found| match found {
+    let ended = run(&sorted, &mut |found| match found {
         Final::Triangle {
             corners,
             constrained,
@@ -77,22 +176,8 @@ fn collected<S: Sample + Clone>(
         }
         other => panic!("{other:?} is unknown"),
     });
-    let mut front = way.front.clone();
-    let mut stream = stream.window(way.window);
-    if !matches!(front, AnyFront::HashTable(_)) {
-        stream = stream.front(&mut front);
-    }
-    let by_x = |u: &&[S; 2], v: &&[S; 2]| u[0].compare(&v[0]);
-    if way.is_range_known
-        && let (Some([least, _]), Some([most, _])) =
-            (points.iter().min_by(by_x), points.iter().max_by(by_x))
-    {
-        stream = stream.between(least.clone(), most.clone());
-    }
-    let fed = feed(&mut stream, points, edges, &sorted);
-    let ended = fed.and_then(|()| stream.finish());
     match ended {
-        Ok(stats) => assert_eq!(stats.triangles, answer.triangles.len() as u64),
+        Ok(triangles) => assert_eq!(triangles, answer.triangles.len() as u64),
         Err(StreamError::CrossingEdges { edges }) => {
             let edges = edges.map(small);
             return Err(Error::CrossingEdges { edges });

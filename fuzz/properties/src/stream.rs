@@ -1,10 +1,14 @@
-//! A stream passes on the result in memory, whatever the window, the front and the scalar; and the verifier of streams
-//! says of each list of triangles what the verifier in memory says, in any order and at each level.
+//! A stream passes on the result in memory, whatever the window, the front and the scalar. Bands do so, in whatever order
+//! they are joined. And the verifier of streams says of each list of triangles what the verifier in memory says, in any
+//! order and at each level.
 
 use num_rational::BigRational;
 use sweep_cdt::verify::Level;
-use sweep_cdt_testing::oracle::{crosses, found};
-use sweep_cdt_testing::streams::{Altered, Feeding, Streaming, streamed};
+use sweep_cdt_testing::oracle::{Answer, crosses, found};
+use sweep_cdt_testing::runs::Sample;
+use sweep_cdt_testing::streams::{
+    Altered, Feeding, Rest, Streaming, banded, streamed, written_and_read,
+};
 use sweep_cdt_testing::tuned::triangulate;
 use sweep_cdt_testing::{AnyFront, Input, Random, generators};
 
@@ -24,17 +28,23 @@ pub fn test(bytes: &[u8]) {
         is_range_known: window & 4 != 0,
         front: fronts[usize::from(front) % fronts.len()].clone(),
     };
+    let bands = (window & 8 != 0).then_some(choices >> 24);
     let outcome = match scalar % 4 {
-        0 => streamed::<BigRational>(&input, &way),
-        1 => streamed::<i64>(&input, &way).or_else(|| streamed::<f32>(&input, &way)),
+        0 => passed_on::<BigRational>(&input, &way, bands, |rest| rest),
+        1 => passed_on::<i64>(&input, &way, bands, |rest| rest)
+            .or_else(|| passed_on::<f32>(&input, &way, bands, |rest| rest)),
         _ => None,
     };
-    let outcome = outcome.or_else(|| streamed::<f64>(&input, &way));
+    let outcome = outcome.or_else(|| passed_on::<f64>(&input, &way, bands, written_and_read));
     let outcome = outcome.expect("doubles hold all finite coordinates");
     let Input { points, edges } = &input;
     match (triangulate(points, edges), outcome) {
         (Ok(result), Ok(answer)) => {
-            assert_eq!(answer, found(&result, points.len(), edges.len()), "{way:?}");
+            assert_eq!(
+                answer,
+                found(&result, points.len(), edges.len()),
+                "{way:?}, bands: {bands:?}"
+            );
             let random = &mut Random::new(choices >> 24);
             let altered = Altered::wrong(points, edges, &result, random);
             let right = share::is_chosen(bytes, RIGHT);
@@ -50,9 +60,24 @@ pub fn test(bytes: &[u8]) {
         (Err(_), Err(sweep_cdt::Error::CrossingEdges { edges: pair })) => {
             assert!(
                 crosses(points, edges, pair),
-                "{pair:?} do not cross: {way:?}"
+                "{pair:?} do not cross: {way:?}, bands: {bands:?}"
             );
         }
-        (memory, stream) => panic!("{memory:?}, but as a stream {stream:?}: {way:?}"),
+        (memory, stream) => {
+            panic!("{memory:?}, but as a stream {stream:?}: {way:?}, bands: {bands:?}")
+        }
+    }
+}
+
+/// The outcome of a stream, or of bands as high as its windows, joined in an order that a number chooses, each carried so.
+fn passed_on<S: Sample + Clone>(
+    input: &Input,
+    way: &Streaming,
+    bands: Option<u64>,
+    carried: fn(Rest<S>) -> Rest<S>,
+) -> Option<Result<Answer, sweep_cdt::Error>> {
+    match bands {
+        None => streamed::<S>(input, way),
+        Some(seed) => banded::<S>(input, way.window, &mut Random::new(seed), carried),
     }
 }

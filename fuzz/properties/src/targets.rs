@@ -113,7 +113,7 @@ const SCALARS: &[Lead] = &[
     ("over the whole range of i64", &[7; 8]),
 ];
 
-/// The first byte chooses the scalar, the second the window, the third the front, the fourth an altered result.
+/// The first byte chooses the scalar, the second the window or the bands, the third the front, the fourth an altered result.
 const WINDOWS: &[Lead] = &[
     ("fractions, windows of one vertex", &[0; 8]),
     ("integers, windows of two", &[1, 1, 1, 1, 0, 0, 0, 0]),
@@ -122,6 +122,9 @@ const WINDOWS: &[Lead] = &[
         "doubles, windows of seven, the range known",
         &[3, 6, 0, 3, 0, 0, 0, 0],
     ),
+    ("fractions, bands of one vertex", &[0, 8, 0, 0, 0, 0, 0, 0]),
+    ("integers, bands of two", &[1, 9, 0, 1, 0, 0, 0, 0]),
+    ("doubles, bands of up to seven", &[2, 10, 0, 2, 0, 0, 0, 0]),
 ];
 
 /// The number is the seed of random damage.

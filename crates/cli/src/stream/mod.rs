@@ -1,13 +1,15 @@
 //! `sweep-cdt stream`: any number of points and edges in, the triangles out as they become final.
 
+mod bands;
 mod beside;
+mod join;
 mod numbers;
 mod order;
 mod output;
 mod verify;
 
 use std::io::{self, Write};
-use std::num::NonZeroUsize;
+use std::num::{NonZeroU64, NonZeroUsize};
 use std::path::PathBuf;
 use std::sync::Mutex;
 use std::thread;
@@ -23,6 +25,7 @@ use crate::shared::files::FileArgument;
 use crate::shared::outputs::{Destination, Out, Outputs, print, refuse_read, refuse_twice};
 use crate::shared::resources::Progress;
 use beside::Beside;
+pub(crate) use join::Join;
 pub(crate) use order::SortArgs;
 use order::{Sorted, is_one_place};
 use output::{Format, Triangles};
@@ -59,6 +62,12 @@ pub(crate) struct StreamCommand {
     /// this file
     #[arg(long, value_name = "FILE", requires = "output")]
     vertices: Option<PathBuf>,
+
+    /// Triangulate nothing, but cut the sorted vertices into bands of so many, each a file in the folder OUTPUT, for
+    /// `sweep-cdt join`
+    #[arg(long, value_name = "N", requires = "output")]
+    #[arg(conflicts_with_all = ["vertices", "window", "check", "stats"])]
+    band: Option<NonZeroU64>,
 
     /// Triangulate in windows of so many new vertices [default: seven times as many as are alive]
     #[arg(long, value_name = "N")]
@@ -111,6 +120,7 @@ Examples:
   sweep-cdt stream points.f64 -o triangles.u32 --stats
   sweep-cdt stream points.f64 --edges breaklines.u64 --memory 1GiB -o triangles.u32 --check
   sweep-cdt stream points.f64 --vertices sorted.f64 -o triangles.u32
+  sweep-cdt stream points.f64 --band 1000000 -o bands
   sweep-cdt verify --stream points.f64 triangles.u32";
 
 /// How a stream has ended.
@@ -165,6 +175,9 @@ impl Outcome {
 
 impl StreamCommand {
     pub(crate) fn run(self) -> Result<(), Failure> {
+        if let Some(size) = self.band {
+            return self.cut(size.get());
+        }
         let format = self.output.as_ref().map(Format::of_output).transpose()?;
         output::refuse_vertices(self.vertices.as_deref())?;
         let destination = self.output.as_ref().map(Destination::of).transpose()?;

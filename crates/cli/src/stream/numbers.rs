@@ -1,7 +1,7 @@
 //! Triangles as raw numbers: three for each, little-endian, of 32 or 64 bits.
 
 use std::fs::File;
-use std::io::{self, BufReader, Read};
+use std::io::{self, BufReader, Read, Write};
 use std::path::Path;
 
 use crate::shared::failure::Failure;
@@ -29,6 +29,18 @@ impl Width {
                 format!("{name} is no name for triangles of a stream: let it end in .u32 or .u64");
             Failure::Usage(message)
         })
+    }
+
+    /// Writes a triangle. Numbers that do not fit were refused.
+    pub(super) fn write(self, corners: [u64; 3], out: &mut impl Write) -> io::Result<()> {
+        let narrow = |number| u32::try_from(number).unwrap_or(u32::MAX);
+        match self {
+            Width::Four => {
+                let bytes = corners.map(|number| narrow(number).to_le_bytes());
+                out.write_all(bytes.as_flattened())
+            }
+            Width::Eight => out.write_all(corners.map(u64::to_le_bytes).as_flattened()),
+        }
     }
 
     /// Whether the numbers of so many points fit.

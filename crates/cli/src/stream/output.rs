@@ -168,14 +168,7 @@ impl<'s, 'a, 'w> Triangles<'s, 'a, 'w> {
         let at = self.written;
         self.written += 1;
         match self.format {
-            Format::Numbers(Width::Eight) => {
-                let bytes = corners.map(u64::to_le_bytes);
-                self.out.write_all(bytes.as_flattened())
-            }
-            Format::Numbers(Width::Four) => {
-                let bytes = corners.map(|number| narrow(number).to_le_bytes());
-                self.out.write_all(bytes.as_flattened())
-            }
+            Format::Numbers(width) => width.write(corners, &mut self.out),
             Format::Ply => {
                 let bytes = corners.map(|number| narrow(number).to_le_bytes());
                 self.out.write_all(&[3])?;

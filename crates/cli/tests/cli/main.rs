@@ -1,6 +1,7 @@
 //! The command `sweep-cdt`, run as a user runs it: formats, settings, errors, what is left behind.
 
 mod advice;
+mod bands;
 mod bent;
 mod bounds;
 mod crossings;

@@ -39,9 +39,12 @@
 //! with the square root of the input: 64 MB suffice for 10^10 points or 10^9 edges, 256 MB for 16 times as many. More
 //! memory makes fewer and longer runs. The edges of one vertex are in memory together, whatever the bound.
 //!
+//! **Bands.** For many machines [`Bands`] cuts the order.
+//!
 //! **What can fail.** Every fault of the input and of the disk is an [`Error`]. Temporary files have no names, so nothing
 //! of them is left, however the process ends.
 
+mod bands;
 mod batch;
 mod edges;
 mod error;
@@ -57,6 +60,7 @@ mod sorter;
 mod summary;
 mod temporary;
 
+pub use bands::Bands;
 pub use error::Error;
 pub use input::{FORMATS, Input, open, open_columns};
 pub use order::{SweepOrder, Vertex};

@@ -18,18 +18,31 @@
 //! the next window: no vertex to come lies on it. The triangles on both sides of a piece wait for that too, since a final
 //! triangle tells which of its sides are edges.
 //!
-//! Cost: a step for each triangle that is pierced, or lies around a vertex on the edge. Many edges that begin at one
-//! vertex, or pierce the same triangles, would take these steps again and again. So where the steps of a window exceed
-//! [`STEPS`] a triangle, all that is alive waits, with the sides of the hull.
+//! An edge of a band may begin below its floor. A corridor then leads down from the lowest vertex on the edge too, or up
+//! from the side of the hull by which the edge comes in, where no vertex is known to lie on it.
+//!
+//! Cost: a step for each triangle that is pierced, or lies around a vertex on the edge. Many edges might take the steps of
+//! others again. So where the steps of a window exceed [`STEPS`] a triangle, all that is alive waits, with the hull.
+
+use std::cmp::Ordering;
 
 use super::swept::{Stars, Swept};
-use super::window::{Pending, Window, sweep_order};
+use super::window::sweep_order;
 use sweep_cdt::scalar::{Scalar, orient2d};
 
 /// So many steps the edges of a window may take, for each triangle of the window.
 const STEPS: usize = 8;
 
-/// What the pending edges of a window do to its triangulation.
+/// An edge, or its part in one direction, that goes on beyond what is known.
+pub(super) struct Path<'a, S> {
+    pub(super) edge: u64,
+    /// Two points of the line, in the direction of the walk.
+    pub(super) line: [&'a [S; 2]; 2],
+    /// The last vertex that is known to lie on it; without one, both points of the line lie beyond the hull.
+    pub(super) start: Option<usize>,
+}
+
+/// What the paths of edges do to the triangulation of a window.
 #[derive(Default)]
 pub(super) struct Corridors {
     /// The triangles that are pierced, or lie along a piece; some of them more than once. `None`: all, since these would
@@ -37,8 +50,8 @@ pub(super) struct Corridors {
     pub(super) held: Option<Vec<usize>>,
     /// The pieces between vertices that lie on an edge, and the edge.
     pub(super) pieces: Vec<([usize; 2], u64)>,
-    /// The last vertex on each edge, in the order of [`Window::pending`].
-    pub(super) reached: Vec<usize>,
+    /// For each path the last vertex on it; before that the first one, if none was known.
+    pub(super) reached: Vec<[Option<usize>; 2]>,
 }
 
 /// Where a walk along an edge goes on.
@@ -49,62 +62,106 @@ enum Next {
     End,
 }
 
-/// Follows all pending edges.
-pub(super) fn corridors<S: Scalar + Clone>(window: &Window<S>, swept: &Swept<'_>) -> Corridors {
+/// Follows all paths.
+pub(super) fn corridors<S: Scalar>(
+    points: &[[S; 2]],
+    swept: &Swept<'_>,
+    paths: &[Path<'_, S>],
+) -> Corridors {
     let mut found = Corridors {
         held: Some(Vec::new()),
         ..Corridors::default()
     };
-    let mut edges = window.pending().peekable();
-    if edges.peek().is_none() {
+    if paths.is_empty() {
         return found;
     }
     let stars = swept.stars();
+    let has_entries = paths.iter().any(|path| path.start.is_none());
+    let hull = if has_entries {
+        swept.hull()
+    } else {
+        Vec::new()
+    };
     let mut steps = STEPS * swept.len();
     let mut held = Vec::new();
-    for (end, Pending { from, edge }) in edges {
+    for path in paths {
         let mut walk = Walk {
-            window,
+            points,
             swept,
             stars: &stars,
-            end,
+            line: path.line,
             held: &mut held,
             steps: &mut steps,
         };
-        let mut at = from;
-        while let Next::Vertex(v) = walk.step(at) {
-            found.pieces.push(([at, v], edge));
-            at = v;
+        let mut next = path.start.map_or_else(|| walk.enter(&hull), Next::Vertex);
+        let (mut first, mut last) = (None, None);
+        while let Next::Vertex(v) = next {
+            match last {
+                Some(at) => found.pieces.push(([at, v], path.edge)),
+                None => first = Some(v),
+            }
+            last = Some(v);
+            next = walk.step(v);
         }
-        found.reached.push(at);
+        let first = first.filter(|_| path.start.is_none());
+        found.reached.push([first, last]);
     }
     found.held = (steps > 0).then_some(held);
     found
 }
 
 struct Walk<'a, S> {
-    window: &'a Window<S>,
+    points: &'a [[S; 2]],
     swept: &'a Swept<'a>,
     stars: &'a Stars<'a>,
-    /// The upper end.
-    end: &'a [S; 2],
+    line: [&'a [S; 2]; 2],
     held: &'a mut Vec<usize>,
     /// How many steps are left.
     steps: &'a mut usize,
 }
 
-impl<S: Scalar + Clone> Walk<'_, S> {
+impl<S: Scalar> Walk<'_, S> {
     /// Takes a step, if one is left.
     fn can_step(&mut self) -> bool {
         *self.steps = self.steps.saturating_sub(1);
         *self.steps > 0
     }
 
+    /// On which side of the line a vertex lies.
+    fn turn(&self, v: usize) -> Ordering {
+        orient2d(self.line[0], self.line[1], &self.points[v])
+    }
+
+    /// Whether the walk meets the vertex `u` before `v`, both on its line.
+    fn is_ahead(&self, v: usize, u: usize) -> bool {
+        let [from, to] = self.line;
+        sweep_order(&self.points[u], &self.points[v]) == sweep_order(from, to)
+    }
+
+    /// From beyond the hull to the first vertex.
+    fn enter(&mut self, hull: &[(usize, usize)]) -> Next {
+        let mut first: Option<usize> = None;
+        for &(triangle, side) in hull {
+            if !self.can_step() {
+                return Next::End;
+            }
+            let corners = self.swept.triangle(triangle);
+            let [left, right] = [1, 2].map(|i| corners[(side + i) % 3]);
+            match (self.turn(left), self.turn(right)) {
+                (Ordering::Greater, Ordering::Less) => {
+                    return self.pierce(triangle, (side + 2) % 3);
+                }
+                (Ordering::Equal, _) if first.is_none_or(|v| self.is_ahead(v, left)) => {
+                    first = Some(left);
+                }
+                _ => {}
+            }
+        }
+        first.map_or(Next::End, Next::Vertex)
+    }
+
     /// From a vertex on the edge to the next one.
     fn step(&mut self, at: usize) -> Next {
-        let points = &self.window.points;
-        let from = &points[at];
-        let turn = |v: usize| orient2d(from, self.end, &points[v]);
         let mut along = None;
         for (triangle, corner) in self.stars.star(at) {
             if !self.can_step() {
@@ -112,45 +169,49 @@ impl<S: Scalar + Clone> Walk<'_, S> {
             }
             let corners = self.swept.triangle(triangle);
             let [p, q] = [1, 2].map(|i| corners[(corner + i) % 3]);
-            let is_ahead = |v: usize| turn(v).is_eq() && sweep_order(from, &points[v]).is_lt();
-            if let Some(v) = [p, q].into_iter().find(|&v| is_ahead(v)) {
+            let is_on = |v: usize| self.turn(v).is_eq() && self.is_ahead(v, at);
+            if let Some(v) = [p, q].into_iter().find(|&v| is_on(v)) {
                 self.held.push(triangle);
                 along = Some(v);
-            } else if turn(p).is_lt() && turn(q).is_gt() {
-                return self.pierce(at, triangle, corner);
+            } else if self.turn(p).is_lt() && self.turn(q).is_gt() {
+                self.held.push(triangle);
+                let beyond = self.across(triangle, corner);
+                return beyond.map_or(Next::End, |(next, right)| self.pierce(next, right));
             }
         }
         along.map_or(Next::End, Next::Vertex)
     }
 
-    /// From a vertex on the edge through a triangle, and the triangles beyond, to the next vertex.
-    fn pierce(&mut self, at: usize, first: usize, opposite: usize) -> Next {
-        let points = &self.window.points;
-        let (mut t, mut side) = (first, opposite);
+    /// The triangle across a side by which the edge leaves, and in it the corner that is the side's right end.
+    fn across(&self, t: usize, side: usize) -> Option<(usize, usize)> {
+        let next = self.swept.neighbor(t, side)?;
+        let right = self.swept.triangle(t)[(side + 1) % 3];
+        let corners = self.swept.triangle(next);
+        let right = corners.iter().position(|&v| v == right);
+        Some((next, right.unwrap_or(0)))
+    }
+
+    /// Through a triangle, by the side with this right end, and the triangles beyond, to the next vertex.
+    fn pierce(&mut self, first: usize, of_right: usize) -> Next {
+        let (mut t, mut right) = (first, of_right);
         loop {
             self.held.push(t);
             if !self.can_step() {
                 return Next::End;
             }
-            let Some(next) = self.swept.neighbor(t, side) else {
-                return Next::End;
-            };
-            let corners = self.swept.triangle(t);
-            let right = corners[(side + 1) % 3];
-            let beyond = self.swept.triangle(next);
-            // The side seen from beyond begins at its left end.
-            let of_right = beyond.iter().position(|&v| v == right).unwrap_or(0);
-            let apex = (of_right + 1) % 3;
-            match orient2d(&points[at], self.end, &points[beyond[apex]]) {
-                std::cmp::Ordering::Equal => {
-                    self.held.push(next);
-                    return Next::Vertex(beyond[apex]);
-                }
+            // Counter-clockwise come the right end, the apex, the left end.
+            let apex = (right + 1) % 3;
+            let corner = self.swept.triangle(t)[apex];
+            let side = match self.turn(corner) {
+                Ordering::Equal => return Next::Vertex(corner),
                 // The apex is left: the edge leaves between it and the right end, opposite the left end.
-                std::cmp::Ordering::Greater => side = (apex + 1) % 3,
-                std::cmp::Ordering::Less => side = of_right,
+                Ordering::Greater => (apex + 1) % 3,
+                Ordering::Less => right,
+            };
+            match self.across(t, side) {
+                Some(beyond) => (t, right) = beyond,
+                None => return Next::End,
             }
-            t = next;
         }
     }
 }

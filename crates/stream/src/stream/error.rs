@@ -46,6 +46,17 @@ pub enum StreamError {
         /// The limit.
         limit: usize,
     },
+    /// A band has no vertices.
+    NoVertices,
+    /// Two rests do not follow each other.
+    NotNext {
+        /// The position behind the last vertex of the lower one.
+        end: u64,
+        /// The position of the first vertex of the upper one.
+        next: u64,
+    },
+    /// Two rests are of different inputs: the number of vertices, the range of x or the edges from one to the other differ.
+    OtherInput,
     /// A window is too much for memory, or for the numbers of its vertices.
     Window(Error),
 }
@@ -82,6 +93,12 @@ impl fmt::Display for StreamError {
                  the sweep line, {} for the ends of edges, {} sides of the hull",
                 alive.vertices, alive.circles, alive.edges, alive.hull_sides
             ),
+            StreamError::NoVertices => f.write_str("a band has no vertices"),
+            StreamError::NotNext { end, next } => write!(
+                f,
+                "a rest ends before vertex {end} of the order, and the next one begins with vertex {next}"
+            ),
+            StreamError::OtherInput => f.write_str("two rests are not of one input"),
             StreamError::Window(error) => write!(f, "a window of the stream: {error}"),
         }
     }

@@ -36,6 +36,8 @@
 mod corridor;
 mod error;
 mod finality;
+mod rest;
+mod rest_file;
 mod retire;
 mod stats;
 mod swept;
@@ -45,16 +47,20 @@ use std::fmt;
 use std::mem;
 
 pub use error::StreamError;
+pub use rest::{Cut, Rest};
+pub use rest_file::RestError;
 pub use retire::Final;
 pub use stats::{Alive, StreamStats};
 
+use corridor::{Path, corridors};
 use finality::Line;
+use retire::Retired;
 use sweep_cdt::front::FrontSearch;
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::trace::Event;
 use sweep_cdt::{Session, Triangulator};
 use swept::{Steps, Swept};
-use window::Window;
+use window::{Pending, Window};
 
 /// So many new vertices a window has at least, if the caller does not say, and so many for each vertex that is alive.
 /// At most an eighth of a window has then been swept before.
@@ -293,7 +299,16 @@ impl<'a, S: Scalar + Clone, O: FnMut(Final)> Stream<'a, S, O> {
         let steps = self.steps.as_deref_mut();
         let swept = Swept::sweep(&mut window, &mut self.session, front, steps);
         let swept = swept.map_err(|error| window.renumbered(error))?;
-        let (kept, alive) = retire::retire(window, &swept, line.as_ref(), &mut |found| {
+        let paths: Vec<_> = window
+            .pending()
+            .map(|(end, Pending { from, edge })| Path {
+                edge,
+                line: [&window.points[from], end],
+                start: Some(from),
+            })
+            .collect();
+        let corridors = corridors(&window.points, &swept, &paths);
+        let retired = retire::retire(window, &swept, line.as_slice(), corridors, &mut |found| {
             match found {
                 Final::Triangle { .. } => self.stats.triangles += 1,
                 Final::HullSide { .. } => self.stats.hull_sides += 1,
@@ -301,7 +316,8 @@ impl<'a, S: Scalar + Clone, O: FnMut(Final)> Stream<'a, S, O> {
             }
             (self.out)(found);
         });
-        self.window = kept;
+        let Retired { window, alive, .. } = retired;
+        self.window = window;
         self.stats.windows += 1;
         self.stats.alive = alive;
         if alive.vertices > self.stats.most_alive.vertices {

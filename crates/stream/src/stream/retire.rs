@@ -11,7 +11,7 @@
 //!
 //! Cost: one pass over the triangles of the window; memory: a byte a triangle.
 
-use super::corridor::{Corridors, corridors};
+use super::corridor::Corridors;
 use super::finality::Line;
 use super::stats::Alive;
 use super::swept::Swept;
@@ -55,23 +55,35 @@ enum State {
     Beyond,
 }
 
-/// Passes on what is final with this line, or all that is left without, and returns the next window.
+/// The window that follows.
+pub(super) struct Retired<S> {
+    pub(super) window: Window<S>,
+    /// [`Corridors::reached`], by the vertices of this window.
+    pub(super) reached: Vec<[Option<usize>; 2]>,
+    pub(super) alive: Alive,
+}
+
+/// Passes on what is final beside these lines, or all that is left without, and returns the next window.
 pub(super) fn retire<S: Scalar + Clone>(
     window: Window<S>,
     swept: &Swept<'_>,
-    line: Option<&Line<S>>,
+    lines: &[Line<S>],
+    corridors: Corridors,
     out: &mut dyn FnMut(Final),
-) -> (Window<S>, Alive) {
+) -> Retired<S> {
     if swept.len() == 0 {
         // All vertices are on one line.
         let alive = Alive {
             vertices: window.points.len(),
             ..Alive::default()
         };
-        return (window.whole(), alive);
+        return Retired {
+            window: window.whole(),
+            reached: corridors.reached,
+            alive,
+        };
     }
-    let corridors = corridors(&window, swept);
-    let pass = Pass::new(&window, swept, line, &corridors);
+    let pass = Pass::new(&window, swept, lines, &corridors);
     let (is_kept, sides, alive) = pass.run(out);
     let mut origins = labels(&window, swept, &is_kept, &sides, &corridors.pieces);
     let mut edges: Vec<_> = sides.iter().map(|side| side.ends).collect();
@@ -82,8 +94,13 @@ pub(super) fn retire<S: Scalar + Clone>(
             is_border: false,
         });
     }
-    let next = window.followed_by(&is_kept, edges, origins, corridors.reached);
-    (next, alive)
+    let mut reached = corridors.reached;
+    let window = window.followed_by(&is_kept, edges, origins, &mut reached);
+    Retired {
+        window,
+        reached,
+        alive,
+    }
 }
 
 /// A side that the next window needs.
@@ -96,7 +113,7 @@ struct Side {
 struct Pass<'a, S> {
     window: &'a Window<S>,
     swept: &'a Swept<'a>,
-    line: Option<&'a Line<S>>,
+    lines: &'a [Line<S>],
     /// The sides of the border as seen from beyond, sorted, and whether they are edges or pieces of edges.
     border: Vec<([usize; 2], bool)>,
     /// For each vertex where its sides of the border begin, and one number more.
@@ -115,7 +132,7 @@ impl<'a, S: Scalar + Clone> Pass<'a, S> {
     fn new(
         window: &'a Window<S>,
         swept: &'a Swept<'a>,
-        line: Option<&'a Line<S>>,
+        lines: &'a [Line<S>],
         corridors: &Corridors,
     ) -> Self {
         let sides = window.edges.iter().zip(&window.origins);
@@ -132,7 +149,7 @@ impl<'a, S: Scalar + Clone> Pass<'a, S> {
         }
         border_of.resize(window.points.len() + 1, narrow(border.len()));
         let mut is_kept = vec![false; window.points.len()];
-        for &v in &corridors.reached {
+        for &v in corridors.reached.as_flattened().iter().flatten() {
             is_kept[v] = true;
         }
         let mut states = vec![State::Alive; swept.len()];
@@ -153,7 +170,7 @@ impl<'a, S: Scalar + Clone> Pass<'a, S> {
         Pass {
             window,
             swept,
-            line,
+            lines,
             border,
             border_of,
             pieces,
@@ -264,14 +281,14 @@ impl<'a, S: Scalar + Clone> Pass<'a, S> {
     }
 
     fn is_final(&self, corners: [usize; 3]) -> bool {
-        let Some(line) = self.line else { return true };
         let points = &self.window.points;
         let points = [
             &points[corners[0]],
             &points[corners[1]],
             &points[corners[2]],
         ];
-        line.is_above_circle(points)
+        let mut lines = self.lines.iter();
+        lines.all(|line| line.is_clear_of_circle(points))
     }
 
     fn is_alive(&self, t: usize) -> bool {
@@ -358,12 +375,9 @@ impl<'a, S: Scalar + Clone> Pass<'a, S> {
 
     /// Whether a side of the hull is final. None is, where edges that may run along it were not followed.
     fn is_final_side(&self, ends: [usize; 2]) -> bool {
-        let Some(line) = self.line else { return true };
-        if self.is_all_held {
-            return false;
-        }
         let [u, v] = ends.map(|v| &self.window.points[v]);
-        line.is_behind_side(u, v)
+        let mut lines = self.lines.iter();
+        lines.all(|line| !self.is_all_held && line.is_behind_side(u, v))
     }
 }
 

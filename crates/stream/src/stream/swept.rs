@@ -96,6 +96,11 @@ impl<'a> Swept<'a> {
         self.is_old[v]
     }
 
+    /// Where a vertex is in the order of the sweep.
+    pub(super) fn place(&self, before: usize) -> usize {
+        self.place[before] as usize
+    }
+
     /// The vertices of a triangle, counter-clockwise.
     #[inline]
     pub(super) fn triangle(&self, t: usize) -> [usize; 3] {
@@ -132,7 +137,15 @@ impl<'a> Swept<'a> {
     /// The vertices along an edge, from one end to the other.
     pub(super) fn edge_chain(&self, e: usize) -> impl Iterator<Item = usize> + Clone + '_ {
         let chain = self.result.edge_chain(e);
-        chain.map(|v| self.place[v] as usize)
+        chain.map(|v| self.place(v))
+    }
+
+    /// The sides of the hull: of each its triangle, and the position of the side in it.
+    pub(super) fn hull(&self) -> Vec<(usize, usize)> {
+        let sides = (0..self.len()).flat_map(|t| (0..3).map(move |side| (t, side)));
+        sides
+            .filter(|&(t, side)| self.neighbor(t, side).is_none())
+            .collect()
     }
 
     pub(super) fn stars(&self) -> Stars<'_> {

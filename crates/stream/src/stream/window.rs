@@ -181,11 +181,7 @@ impl<S: Scalar + Clone> Window<S> {
             false => self.pending.remove(&place),
         };
         for Pending { from, edge } in ending.unwrap_or_default() {
-            self.edges.push([from, v]);
-            self.origins.push(Origin {
-                edge: Some(edge),
-                is_border: false,
-            });
+            self.connect([from, v], edge);
         }
         self.points.push(place.0);
         self.numbers.push(number);
@@ -200,20 +196,40 @@ impl<S: Scalar + Clone> Window<S> {
         }
     }
 
+    /// Adds an edge, or a piece of one, between two vertices.
+    pub(super) fn connect(&mut self, ends: [usize; 2], edge: u64) {
+        self.edges.push(ends);
+        self.origins.push(Origin {
+            edge: Some(edge),
+            is_border: false,
+        });
+    }
+
+    /// Adds another window, whose vertices follow these; both are without pending edges.
+    pub(super) fn append(&mut self, above: Window<S>) {
+        let shift = self.points.len();
+        self.points.extend(above.points);
+        self.numbers.extend(above.numbers);
+        let shifted = above.edges.into_iter().map(|ends| ends.map(|v| v + shift));
+        self.edges.extend(shifted);
+        self.origins.extend(above.origins);
+        self.kept = self.points.len();
+    }
+
     /// The window that follows, where nothing is forgotten.
     pub(super) fn whole(mut self) -> Self {
         self.kept = self.points.len();
         self
     }
 
-    /// The window that follows: the vertices that are marked, with these edges between them. `reached` are the vertices
-    /// from which the pending edges go on, in their order.
+    /// The window that follows: the vertices that are marked, with these edges between them. `reached` gets their new
+    /// positions; the last ones are the vertices from which the pending edges go on, in their order.
     pub(super) fn followed_by(
         self,
         is_kept: &[bool],
         mut edges: Vec<[usize; 2]>,
         origins: Vec<Origin>,
-        reached: Vec<usize>,
+        reached: &mut [[Option<usize>; 2]],
     ) -> Self {
         let mut place = vec![0; is_kept.len()];
         let mut next = Window::default();
@@ -232,8 +248,12 @@ impl<S: Scalar + Clone> Window<S> {
         next.edges = edges;
         next.origins = origins;
         next.pending = self.pending;
-        for (pending, from) in next.pending.values_mut().flatten().zip(reached) {
-            pending.from = place[from];
+        for v in reached.as_flattened_mut().iter_mut().flatten() {
+            *v = place[*v];
+        }
+        let of_pending = next.pending.values_mut().flatten();
+        for (pending, &mut [_, last]) in of_pending.zip(reached) {
+            pending.from = last.unwrap_or(pending.from);
         }
         next
     }

@@ -1,0 +1,51 @@
+//! `sweep-cdt stream --band`: the sorted vertices cut into bands, a file for each.
+//!
+//! Each file is in its place before the next one is begun, and a run that is repeated writes the same files again. Bands
+//! say which vertices they have of how many. So nobody takes some of them for all, and bands of another cut do not fit.
+
+use std::fs;
+use std::io::Write;
+
+use sweep_cdt_stream::external::Bands;
+
+use super::{StreamCommand, to_usize};
+use crate::shared::failure::Failure;
+use crate::shared::files::FileArgument;
+use crate::shared::outputs::{Destination, Outputs, refuse_read};
+use crate::shared::resources::Progress;
+
+impl StreamCommand {
+    /// Cuts the input into bands of so many vertices.
+    pub(super) fn cut(&self, size: u64) -> Result<(), Failure> {
+        let Some(folder) = self.output.as_ref().and_then(FileArgument::path) else {
+            let message = "bands are files: let OUTPUT be the folder for them";
+            return Err(Failure::Usage(message.to_owned()));
+        };
+        let read = self.sort.files(&self.input, self.strict);
+        let name = self.input.input_name();
+        let sorted = self.sort.sorted(&self.input, &self.columns, |remarks| {
+            read.say(&name, remarks)
+        })?;
+        fs::create_dir_all(folder).map_err(|error| Failure::of_file(folder, &error))?;
+        let bands = Bands::new(sorted.order, size);
+        let mut bands = bands.map_err(|error| self.sort.failure(&error))?;
+        let most = bands.most();
+        // As many digits as the last one has, so that their names are sorted as they are.
+        let digits = most.to_string().len();
+        let mut progress = Progress::new("writing bands");
+        for number in 1.. {
+            let band = bands.next_band();
+            let Some(band) = band.map_err(|error| self.sort.failure(&error))? else {
+                break;
+            };
+            let path = folder.join(format!("{number:0digits$}.rest"));
+            let destination = Destination::of_path(path)?;
+            refuse_read(&read, [&destination])?;
+            let mut outputs = Outputs::default();
+            outputs.add(destination, |out| out.write_all(&band.to_bytes()))?;
+            outputs.finish()?;
+            progress.show(number, to_usize(most));
+        }
+        Ok(())
+    }
+}

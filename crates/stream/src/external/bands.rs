@@ -1,0 +1,101 @@
+//! An order that is cut into bands.
+//!
+//! A band gets the edges that begin in it, and those that have begun before and not ended. So the edges that are open at
+//! the sweep line are in memory, with the vertices of one band.
+
+use crate::external::error::Error;
+use crate::external::order::SweepOrder;
+use crate::{Cut, Rest};
+
+/// The bands of an order, one after the other, from below.
+#[derive(Debug)]
+pub struct Bands {
+    order: SweepOrder,
+    cut: Cut<f64>,
+    /// So many vertices a band has, but for those equal to its last one.
+    size: u64,
+    /// The position of the next vertex, which has been taken already.
+    first: u64,
+    next: Option<(u64, [f64; 2])>,
+    /// The edges that have begun and not ended, with both ends.
+    open: Vec<(u64, [[f64; 2]; 2])>,
+    /// The edges that begin at the next vertex.
+    of_next: Vec<(u64, [[f64; 2]; 2])>,
+}
+
+impl Bands {
+    /// Cuts an order into bands of so many vertices, at least one; equal ones belong to one band.
+    ///
+    /// # Errors
+    /// See [`Error`]: the temporary files cannot be read.
+    pub fn new(order: SweepOrder, size: u64) -> Result<Self, Error> {
+        let summary = order.summary();
+        let mut bands = Bands {
+            order,
+            cut: Cut {
+                vertices: summary.points,
+                between: summary.x,
+            },
+            size: size.max(1),
+            first: 0,
+            next: None,
+            open: Vec::new(),
+            of_next: Vec::new(),
+        };
+        bands.take()?;
+        Ok(bands)
+    }
+
+    /// How many bands there are, but for equal vertices.
+    #[must_use]
+    pub fn most(&self) -> u64 {
+        self.cut.vertices.div_ceil(self.size)
+    }
+
+    /// Takes the next vertex, and the edges that begin there.
+    fn take(&mut self) -> Result<(), Error> {
+        let vertex = self.order.next_vertex()?;
+        self.next = vertex.map(|vertex| {
+            let edges = vertex.upper.iter();
+            let edges = edges.map(|&(edge, upper)| (edge, [vertex.point, upper]));
+            self.of_next.extend(edges);
+            (vertex.number, vertex.point)
+        });
+        Ok(())
+    }
+
+    /// The next band, from which nothing is final yet; `None` after the last. Of equal vertices the first one stays.
+    ///
+    /// # Errors
+    /// See [`Error`]: the temporary files cannot be read.
+    ///
+    /// # Panics
+    /// Never: an order is sorted, and its edges end at vertices.
+    pub fn next_band(&mut self) -> Result<Option<Rest<f64>>, Error> {
+        let mut vertices = Vec::new();
+        while let Some((number, point)) = self.next {
+            // There is but one zero, so the bits of equal points are equal.
+            let bits = |point: [f64; 2]| point.map(f64::to_bits);
+            let is_equal = vertices
+                .last()
+                .is_some_and(|&(_, last)| bits(last) == bits(point));
+            if vertices.len() as u64 >= self.size && !is_equal {
+                break;
+            }
+            vertices.push((number, point));
+            self.open.append(&mut self.of_next);
+            self.take()?;
+        }
+        let Some(&(_, [x, y])) = vertices.last() else {
+            return Ok(None);
+        };
+        let first = self.first;
+        self.first += vertices.len() as u64;
+        let edges = self.open.iter().copied();
+        let band = self.cut.band(first, vertices, edges, |_| ());
+        let band = band.expect("vertices in order, and edges with ends");
+        self.open
+            .retain(|(_, [_, upper])| (upper[1], upper[0]) > (y, x));
+        Ok(Some(band))
+    }
+}
