@@ -51,6 +51,9 @@ impl<S> GraphFile<S> {
         for (name, file) in files {
             whole.add(name, file.without_faces());
         }
+        // Formats without names take the first column for heights.
+        let columns = &mut whole.columns;
+        columns.sort_by_key(|column| column.name != Column::HEIGHT);
         Ok(whole)
     }
 
@@ -65,8 +68,7 @@ impl<S> GraphFile<S> {
             regions: behind(&self.graph.regions, &file.graph.regions),
             features: self.features..self.features + file.features,
         };
-        let is_first = self.layers.is_empty();
-        if is_first {
+        if self.layers.is_empty() {
             self.numbering = file.numbering;
         }
         let vertices = &layer.vertices;
@@ -76,12 +78,9 @@ impl<S> GraphFile<S> {
             let is_it = |own: &Column| own.name == name && own.values.len() <= vertices.start;
             let place = self.columns.iter().position(is_it);
             let place = place.unwrap_or_else(|| {
-                // Where columns have no names, the first one is the heights.
-                let is_height = name == Column::HEIGHT && !is_first;
-                let place = if is_height { 0 } else { self.columns.len() };
                 let values = Vec::new();
-                self.columns.insert(place, Column { name, values });
-                place
+                self.columns.push(Column { name, values });
+                self.columns.len() - 1
             });
             join(&mut self.columns[place].values, values, vertices, f64::NAN);
         }

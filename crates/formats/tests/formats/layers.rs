@@ -248,17 +248,49 @@ fn names(file: &GraphFile<f64>) -> Vec<(&str, Vec<String>)> {
     columns.map(|own| (&own.name[..], column(own))).collect()
 }
 
+#[track_caller]
+fn assert_columns(layers: &[&str], expected: &[(&str, &[f64])]) {
+    let layers = layers.iter().map(|text| {
+        let mut file = table(text);
+        for column in &mut file.columns {
+            column.name = column.name.replace("_2", "");
+        }
+        (String::new(), file)
+    });
+    let whole = GraphFile::of_layers(layers.collect()).expect("no systems");
+    let column = |&(name, values): &(&str, &[f64])| Column {
+        name: name.to_owned(),
+        values: values.to_vec(),
+    };
+    let expected: Vec<Column> = expected.iter().map(column).collect();
+    assert_eq!(whole.columns, expected);
+}
+
+const NONE: f64 = f64::NAN;
+
 #[test]
 fn heights_of_a_later_layer_are_the_first_column() {
-    let layers = ["x,y,wind\n0,0,5\n", "x,y,z\n1,1,70\n", "x,y,wind\n2,2,6\n"];
-    let layers = layers.map(|text| (String::new(), table(text)));
-    let whole = GraphFile::of_layers(layers.to_vec()).expect("no systems");
-    let texts = |numbers: [&str; 3]| numbers.map(str::to_owned).to_vec();
-    let expected = [
-        ("z", texts(["NaN", "70", "NaN"])),
-        ("wind", texts(["5", "NaN", "6"])),
-    ];
-    assert_eq!(names(&whole), expected);
+    assert_columns(
+        &["x,y,wind\n0,0,5\n", "x,y,z\n1,1,70\n", "x,y,wind\n2,2,6\n"],
+        &[("z", &[NONE, 70.0, NONE]), ("wind", &[5.0, NONE, 6.0])],
+    );
+}
+
+/// As a `.ply` may have them, and a table has not.
+#[test]
+fn columns_of_one_name_in_one_file_stay_apart() {
+    assert_columns(
+        &[
+            "x,y,a,a\n0,0,1,2\n1,0,3,4\n",
+            "x,y,a,b,a\n5,5,6,7,8\n",
+            "x,y,a\n9,9,0\n",
+        ],
+        &[
+            ("a", &[1.0, 3.0, 6.0, 0.0]),
+            ("a", &[2.0, 4.0, 8.0, NONE]),
+            ("b", &[NONE, NONE, 7.0, NONE]),
+        ],
+    );
 }
 
 /// A remark names its vertex in the whole.
