@@ -242,12 +242,6 @@ fn table(text: &str) -> GraphFile<f64> {
     }
 }
 
-fn names(file: &GraphFile<f64>) -> Vec<(&str, Vec<String>)> {
-    let column = |column: &'_ Column| column.values.iter().map(f64::to_string).collect();
-    let columns = file.columns.iter();
-    columns.map(|own| (&own.name[..], column(own))).collect()
-}
-
 #[track_caller]
 fn assert_columns(layers: &[&str], expected: &[(&str, &[f64])]) {
     let layers = layers.iter().map(|text| {
