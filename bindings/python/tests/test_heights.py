@@ -141,6 +141,37 @@ def test_a_column_is_the_height_of_points_and_lines():
     assert sweep_cdt.triangulate(frame[["name", "geometry"]][:2]).heights is None
 
 
+def test_tables_beside_geometries_are_points_of_one_terrain():
+    geopandas = pytest.importorskip("geopandas")
+    import pandas
+    import shapely
+
+    lines = shapely.from_wkt(["LINESTRING (0 0, 9 0)", "LINESTRING (0 9, 9 9)"])
+    contours = geopandas.GeoDataFrame({"elev": [1, 19]}, geometry=lines, crs=2056)
+    border = shapely.Polygon([(0, 0), (9, 0), (9, 9), (4, 6), (0, 9)])
+    rows = np.array([[4, 2, 5], [6, 3, 7.5]])
+    named = pandas.DataFrame({"h": rows[:, 2], "north": rows[:, 1], "east": rows[:, 0]})
+    for table, places in [
+        (rows, rows),
+        (named, rows),
+        (pandas.DataFrame(rows), rows),
+        (rows[:, :2].astype(int), rows[:, :2].astype(int)),
+    ]:
+        for order in [(0, 1, 2), (2, 1, 0), (1, 2, 0)]:
+            layers = [[contours, border, other] for other in (table, geopandas.GeoSeries(shapely.points(places)))]
+            found, wanted = (sweep_cdt.triangulate([of[at] for at in order]) for of in layers)
+            assert found.points.tolist() == wanted.points.tolist() and found.rule == wanted.rule == "polygons"
+            assert np.array_equal(found.heights, wanted.heights, equal_nan=True)
+            assert found.triangles.tolist() == wanted.triangles.tolist() and found.crs == contours.crs
+    with pytest.raises(sweep_cdt.KindError, match=r"points\[1\] has exact coordinates"):
+        sweep_cdt.triangulate([border, np.array([[Fraction(1, 3), 1]])])
+    with pytest.raises(sweep_cdt.ShapeError, match=r"points\[0\] has the shape \(2, 4\)"):
+        sweep_cdt.triangulate([np.zeros((2, 4)), border])
+    # Arrays alone are no geometries.
+    with pytest.raises(sweep_cdt.ShapeError):
+        sweep_cdt.triangulate([rows, rows])
+
+
 def test_two_coordinate_systems_are_refused():
     geopandas = pytest.importorskip("geopandas")
     import shapely

@@ -8,9 +8,9 @@ use sweep_cdt::crossings::{Crossing, Exact, crossings};
 use sweep_cdt_draw::CrossingsPicture;
 use sweep_cdt_formats::{Coordinate, Format, GraphFile, Input, write_crossings};
 
-use crate::shared::arguments::InputArgs;
 use crate::shared::failure::Failure;
 use crate::shared::files::{FileArgument, ReadingArgs, format_of_output, format_parser};
+use crate::shared::layers::LayersArgs;
 use crate::shared::outputs::{Destination, Outputs, refuse_read, refuse_twice};
 use crate::shared::places::parts;
 
@@ -23,7 +23,7 @@ use crate::shared::places::parts;
 #[command(after_long_help = AFTER_HELP)]
 pub(crate) struct Crossings {
     #[command(flatten)]
-    input: InputArgs,
+    layers: LayersArgs,
 
     #[command(flatten)]
     reading: ReadingArgs,
@@ -73,7 +73,7 @@ impl Crossings {
         let outputs = || list.iter().map(|(_, list)| list).chain(&svg);
         refuse_twice(outputs())?;
         let mut read = self.reading.files();
-        let input = self.input.read(&mut read, |_| ())?;
+        let input = self.layers.read(&mut read)?;
         refuse_read(&read, outputs())?;
         match input {
             Input::Doubles(file) => self.list(&file, list, svg),
@@ -87,7 +87,7 @@ impl Crossings {
         list: Option<(Format, Destination)>,
         svg: Option<Destination>,
     ) -> Result<(), Failure> {
-        let name = self.input.name();
+        let name = self.layers.name();
         let (graph, numbering) = (&file.graph, file.numbering);
         let found = crossings(&graph.points, &graph.edges).map_err(|error| {
             let error = file.split_as_numbered(error);

@@ -10,14 +10,13 @@ use sweep_cdt::verify::{Level, Verifier};
 use sweep_cdt_engine::{headline, remarks, without_heights};
 use sweep_cdt_formats::{Coordinate, Splitting};
 
-use crate::shared::arguments::{
-    InputArgs, OutputArgs, Target, add, completed, has_standard, say_losses,
-};
+use crate::shared::arguments::{OutputArgs, Target, add, completed, has_standard, say_losses};
 use crate::shared::arithmetic::{Given, Job, ScalarArgs};
 use crate::shared::earlier::Earlier;
 use crate::shared::failure::Failure;
 use crate::shared::files::{FileArgument, FilesRead, ReadingArgs};
 use crate::shared::inside::InsideArgs;
+use crate::shared::layers::LayersArgs;
 use crate::shared::missing::MissingArgs;
 use crate::shared::outputs::{Destination, Outputs, refuse_read, refuse_twice};
 use crate::shared::places::located;
@@ -37,7 +36,7 @@ use crate::shared::verification::verify;
 #[command(after_long_help = AFTER_HELP)]
 pub(crate) struct Triangulate {
     #[command(flatten)]
-    input: InputArgs,
+    layers: LayersArgs,
 
     #[command(flatten)]
     reading: ReadingArgs,
@@ -141,6 +140,7 @@ Examples:
   sweep-cdt triangulate terrain.poly -o terrain.ele -o terrain.json --stats
   sweep-cdt triangulate polygon.json --inside even-odd -o polygon.obj
   sweep-cdt triangulate streets.poly --split-crossings -o streets.json --verify
+  sweep-cdt triangulate contours.geojson border.geojson breaklines.wkt -o terrain.vtu
   generate | sweep-cdt triangulate - --input-format json -o - --output-format obj | view";
 
 impl Triangulate {
@@ -171,8 +171,8 @@ impl Triangulate {
             limit_threads(threads);
         }
         let mut read = self.reading.files();
-        let input = self.input.read(&mut read, |_| ())?;
-        let name = self.input.name();
+        let input = self.layers.read(&mut read)?;
+        let name = self.layers.name();
         let (input, splitting) = if self.split.is_asked() {
             let input = self.scalar.convert(&name, input)?;
             let (input, splitting) = self.split.apply(&name, input)?;

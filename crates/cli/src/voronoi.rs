@@ -17,6 +17,7 @@ use crate::shared::arithmetic::as_rationals;
 use crate::shared::failure::Failure;
 use crate::shared::files::{FileArgument, FilesRead, ReadingArgs, format_of_output, format_parser};
 use crate::shared::inside::default_of;
+use crate::shared::layers::LayersArgs;
 use crate::shared::outputs::{Destination, Out, Outputs, refuse_read, refuse_twice};
 use crate::shared::places::{located, located_interior};
 
@@ -31,7 +32,7 @@ const FORMATS: &[Format] = &[Format::Geojson, Format::Json, Format::Svg, Format:
 #[command(after_long_help = AFTER_HELP)]
 pub(crate) struct Voronoi {
     #[command(flatten)]
-    input: InputArgs,
+    layers: LayersArgs,
 
     #[command(flatten)]
     reading: ReadingArgs,
@@ -116,7 +117,7 @@ impl Voronoi {
         let destinations = || targets.iter().map(|(_, destination)| destination);
         refuse_twice(destinations())?;
         let mut read = self.reading.files();
-        let points = self.input.read(&mut read, |_| ())?;
+        let points = self.layers.read(&mut read)?;
         let clip = match &self.clip {
             Some(ClipArgument::File(file)) => {
                 let clip = InputArgs::new(file.clone(), None);
@@ -125,7 +126,7 @@ impl Voronoi {
             _ => None,
         };
         refuse_read(&read, destinations())?;
-        let name = self.input.name();
+        let name = self.layers.name();
         match (points, clip) {
             (Input::Doubles(points), None) => self.write(points, None, targets, &read),
             (Input::Rationals(points), None) => self.write(points, None, targets, &read),
@@ -147,7 +148,7 @@ impl Voronoi {
         targets: Vec<(Format, Destination)>,
         read: &FilesRead,
     ) -> Result<(), Failure> {
-        let name = self.input.name();
+        let name = self.layers.name();
         if self.without_edges {
             file.graph.edges.clear();
         }

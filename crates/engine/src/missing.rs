@@ -86,7 +86,8 @@ impl FromStr for Missing {
 }
 
 impl Missing {
-    /// Gives a file these heights. Returns the remark on those that are interpolated.
+    /// Gives a file these heights. Returns the remark on those that are interpolated. A vertex that equals one with a height
+    /// has that height.
     ///
     /// # Errors
     /// [`MissingError`]; then nothing has changed.
@@ -101,6 +102,12 @@ impl Missing {
         };
         let mut heights = file.columns[at].values.clone();
         heights.resize(vertices, f64::NAN);
+        if !heights.iter().any(|height| height.is_nan()) {
+            return Ok(None);
+        }
+        if let Some(shared) = file.sharing(&file.duplicates()) {
+            heights.clone_from(&shared.columns[at].values);
+        }
         let missing: Vec<usize> = (0..vertices).filter(|&v| heights[v].is_nan()).collect();
         let Some(&vertex) = missing.first() else {
             return Ok(None);
@@ -138,12 +145,13 @@ fn interpolated<S: Exact>(
         .filter(|&v| !heights[v].is_nan())
         .collect();
     let place = |v: usize| known.binary_search(&v).ok();
-    let edge = |&[a, b]: &[usize; 2]| Some([place(a)?, place(b)?]);
+    let edge = |(number, &[a, b]): (usize, &[usize; 2])| Some((number, [place(a)?, place(b)?]));
     let points: Vec<[S; 2]> = known.iter().map(|&v| graph.points[v].clone()).collect();
-    let edges: Vec<[usize; 2]> = graph.edges.iter().filter_map(edge).collect();
+    let edges = graph.edges.iter().enumerate().filter_map(edge);
+    let (numbers, edges): (Vec<usize>, Vec<[usize; 2]>) = edges.unzip();
     let result = triangulate(&points, &edges);
     let result = result.map_err(|error| {
-        MissingError::NotTriangulated(error.renumbered(|v| known[v], |edge| edge))
+        MissingError::NotTriangulated(error.renumbered(|v| known[v], |edge| numbers[edge]))
     })?;
     let whole = Interior::whole(&result);
     let known: Vec<f64> = known.iter().map(|&v| heights[v]).collect();

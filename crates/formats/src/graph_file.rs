@@ -1,12 +1,11 @@
-//! A planar straight-line graph as it stands in a file: the graph, what else the file says of its vertices, and how
-//! the file counts.
+//! A planar straight-line graph as it stands in a file: the graph, and what else the file says of it.
 
-use sweep_cdt::crossings::SplitError;
-use sweep_cdt::interior::InteriorError;
-use sweep_cdt::{Error, Pslg};
+use sweep_cdt::Pslg;
+use sweep_cdt::scalar::Scalar;
 
+use crate::order::{order, sorted};
 use crate::remark::Conflicts;
-use crate::{Coordinate, CoordinateSystem, Polygons, Remark};
+use crate::{CoordinateSystem, Layer, Numbering, Polygons, Remark};
 
 /// A graph, all in the order of its file, and what the file says beyond it.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,8 +25,11 @@ pub struct GraphFile<S> {
     pub edge_markers: Vec<i64>,
     /// Whose border each edge is.
     pub polygons: Polygons,
-    /// The feature of each edge, counted from 1 as in [`Polygons::features`]; empty, if the format has no features.
+    /// The feature of each edge, counted from 1 as in [`Polygons::features`], 0 where it has none; empty, if the format has
+    /// no features.
     pub edge_features: Vec<u32>,
+    /// How many features there are; 0, if the format has none.
+    pub features: usize,
     /// The faces of a mesh. They are no part of the graph: see [`GraphFile::with_faces`].
     pub faces: Faces,
     /// The coordinate system, if the file names one.
@@ -38,41 +40,8 @@ pub struct GraphFile<S> {
     pub remarks: Vec<Remark>,
     /// The numbers that the file gives to all of them.
     pub numbering: Numbering,
-}
-
-/// How a file counts: its number of the first thing of each kind, 0 or 1.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Numbering {
-    /// The number of the first vertex.
-    pub vertex: usize,
-    /// The number of the first edge.
-    pub edge: usize,
-    /// The number of the first hole.
-    pub hole: usize,
-    /// The number of the first region.
-    pub region: usize,
-}
-
-impl Numbering {
-    /// A file that counts all things from 1.
-    pub const FROM_ONE: Numbering = Numbering {
-        vertex: 1,
-        edge: 1,
-        hole: 1,
-        region: 1,
-    };
-
-    /// The numbers that the file gives to edges.
-    ///
-    /// ```
-    /// use sweep_cdt_formats::Numbering;
-    ///
-    /// assert_eq!(Numbering::FROM_ONE.edges([0, 2]), [1, 3]);
-    /// ```
-    #[must_use]
-    pub fn edges(self, edges: [usize; 2]) -> [usize; 2] {
-        edges.map(|edge| edge.saturating_add(self.edge))
-    }
+    /// The files that were put together ([`GraphFile::of_layers`]); empty, if it is one file.
+    pub layers: Vec<Layer>,
 }
 
 /// Numbers that go with the vertices of a [`GraphFile`] and change nothing: one for each.
@@ -195,11 +164,13 @@ impl<S> From<Pslg<S>> for GraphFile<S> {
             edge_markers: Vec::new(),
             polygons: Polygons::default(),
             edge_features: Vec::new(),
+            features: 0,
             faces: Faces::default(),
             system: None,
             merged: 0,
             remarks: Vec::new(),
             numbering: Numbering::default(),
+            layers: Vec::new(),
         }
     }
 }
@@ -229,6 +200,30 @@ impl<S> GraphFile<S> {
     pub fn heights(&self) -> Option<&Column> {
         let mut columns = self.columns.iter();
         columns.find(|column| column.name == Column::HEIGHT)
+    }
+
+    /// The vertices that equal one before them, each with the first such vertex.
+    ///
+    /// ```
+    /// use sweep_cdt::Pslg;
+    /// use sweep_cdt_formats::GraphFile;
+    ///
+    /// let points = vec![[0.0, 0.0], [1.0, 0.0], [-0.0, 0.0]];
+    /// let file = GraphFile::from(Pslg { points, ..Pslg::default() });
+    /// assert_eq!(file.duplicates(), [[2, 0]]);
+    /// ```
+    pub fn duplicates(&self) -> Vec<[usize; 2]>
+    where
+        S: Scalar,
+    {
+        let points = &self.graph.points;
+        let sorted = sorted(points);
+        let is_equal = |(near, v): &([f64; 2], usize), (next, w): &([f64; 2], usize)| {
+            order((near, &points[*v]), (next, &points[*w])).is_eq()
+        };
+        let runs = sorted.chunk_by(is_equal);
+        let others = runs.flat_map(|run| run[1..].iter().map(move |&(_, v)| [v, run[0].1]));
+        others.collect()
     }
 
     /// The file, where equal vertices share their numbers in columns: each that misses one takes that of an equal vertex.
@@ -296,6 +291,7 @@ impl<S> GraphFile<S> {
     /// ```
     pub fn with_faces(mut self) -> Result<GraphFile<S>, usize> {
         let (faces, edges) = (std::mem::take(&mut self.faces), &mut self.graph.edges);
+        self.features = self.features.max(faces.len());
         let polygons = &mut self.polygons;
         polygons.ring_of.resize(edges.len(), None);
         for (feature, face) in (1..).zip(faces.iter()) {
@@ -377,107 +373,6 @@ impl<S> GraphFile<S> {
         });
         self.remarks.extend(void);
         self
-    }
-
-    /// An error with its vertices and edges numbered as in the file.
-    ///
-    /// ```
-    /// use sweep_cdt::Error;
-    /// use sweep_cdt_formats::{GraphFile, Numbering};
-    ///
-    /// let file = GraphFile::<f64> { numbering: Numbering::FROM_ONE, ..GraphFile::default() };
-    /// let error = file.as_numbered(Error::CrossingEdges { edges: [0, 1] });
-    /// assert_eq!(error.to_string(), "edges 1 and 2 cross");
-    /// ```
-    pub fn as_numbered(&self, error: Error) -> Error {
-        let first = self.numbering;
-        error.renumbered(
-            |vertex| vertex.saturating_add(first.vertex),
-            |edge| edge.saturating_add(first.edge),
-        )
-    }
-
-    /// A remark in words, with its vertex numbered as in the file, and the place of the vertex.
-    ///
-    /// ```
-    /// use sweep_cdt::Pslg;
-    /// use sweep_cdt_formats::{GraphFile, Remark};
-    ///
-    /// let file = GraphFile::from(Pslg { points: vec![[1.5, 2.0]], ..Pslg::default() });
-    /// let column = "z".to_owned();
-    /// let remark = Remark::Conflict { column, vertex: 0, values: [7.0, 30.0], count: 1 };
-    /// let words = "vertex 0 at (1.5, 2) has two numbers for z, 7 and 30: 7 counts";
-    /// assert_eq!(file.in_words(&remark), words);
-    /// ```
-    pub fn in_words(&self, remark: &Remark) -> String
-    where
-        S: Coordinate,
-    {
-        remark.words(|vertex| {
-            let number = vertex.saturating_add(self.numbering.vertex);
-            match self.graph.points.get(vertex) {
-                Some([x, y]) => format!("vertex {number} at ({}, {})", x.text(), y.text()),
-                None => format!("vertex {number}"),
-            }
-        })
-    }
-
-    /// The part of the map that an edge is of, in words: its feature, and whether it is a hole or a line. `None`, if the
-    /// format has no features.
-    ///
-    /// ```
-    /// use sweep_cdt_formats::{Format, Input, Source, read};
-    ///
-    /// let text = "POINT (5 5) POLYGON ((0 0, 4 0, 0 4, 0 0), (1 1, 2 1, 1 2, 1 1)) LINESTRING (0 0, 9 9)";
-    /// let Input::Doubles(file) = read(Format::Wkt, &Source::new("a.wkt", text), None)? else {
-    ///     unreachable!("no fraction in the file")
-    /// };
-    /// let parts = [0, 3, 6].map(|edge| file.part_of(edge).unwrap());
-    /// assert_eq!(parts, ["the outline of feature 2", "hole 1 of feature 2", "a line of feature 3"]);
-    /// # Ok::<(), sweep_cdt_formats::ReadError>(())
-    /// ```
-    pub fn part_of(&self, edge: usize) -> Option<String> {
-        let feature = self.edge_features.get(edge)?;
-        let ring = self.polygons.ring_of.get(edge).copied().flatten();
-        let Some(ring) = ring else {
-            return Some(format!("a line of feature {feature}"));
-        };
-        // The rings of a polygon follow each other, the outline first.
-        let rings = &self.polygons.rings;
-        let outline = rings.partition_point(|other| other.polygon < rings[ring].polygon);
-        let hole = ring.saturating_sub(outline);
-        Some(match hole {
-            0 => format!("the outline of feature {feature}"),
-            hole => format!("hole {hole} of feature {feature}"),
-        })
-    }
-
-    /// An error of [`split`](sweep_cdt::crossings::split) or [`crossings`](sweep_cdt::crossings::crossings()) with
-    /// vertices and edges numbered as in the file.
-    pub fn split_as_numbered(&self, error: SplitError) -> SplitError {
-        let Numbering { vertex, edge, .. } = self.numbering;
-        error.renumbered(|v| v.saturating_add(vertex), |e| e.saturating_add(edge))
-    }
-
-    /// An error of a domain with its vertices, edges, holes and regions numbered as in the file.
-    ///
-    /// ```
-    /// use sweep_cdt::interior::{InteriorError, Seed};
-    /// use sweep_cdt_formats::{GraphFile, Numbering};
-    ///
-    /// let file = GraphFile::<f64> { numbering: Numbering::FROM_ONE, ..GraphFile::default() };
-    /// let error = InteriorError::SeedOutside { seed: Seed::Hole(0) };
-    /// let error = file.interior_as_numbered(error);
-    /// assert_eq!(error.to_string(), "the seed of hole 1 lies outside of the hull");
-    /// ```
-    pub fn interior_as_numbered(&self, error: InteriorError) -> InteriorError {
-        let first = self.numbering;
-        error.renumbered(
-            |vertex| vertex.saturating_add(first.vertex),
-            |edge| edge.saturating_add(first.edge),
-            |hole| hole.saturating_add(first.hole),
-            |region| region.saturating_add(first.region),
-        )
     }
 }
 

@@ -30,6 +30,9 @@ mod order;
 mod coordinate;
 mod format;
 mod graph_file;
+mod layers;
+mod messages;
+mod numbering;
 mod polygons;
 mod read;
 mod remark;
@@ -41,7 +44,8 @@ mod write;
 
 pub use coordinate::{Coordinate, CoordinateError, MAX_DIGITS, MAX_EXPONENT, quotient};
 pub use format::Format;
-pub use graph_file::{Column, Faces, GraphFile, Numbering, sorted_pairs};
+pub use graph_file::{Column, Faces, GraphFile, sorted_pairs};
+pub use numbering::{Layer, Numbering};
 pub use polygons::Polygons;
 pub use read::ply_parts as ply;
 pub use read::{

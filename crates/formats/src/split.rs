@@ -98,6 +98,7 @@ impl<S: Coordinate> GraphFile<S> {
             edge_markers,
             polygons: self.polygons.of_pieces(pieces_of, edges.len()),
             edge_features: pieces_of.iter().filter_map(feature).collect(),
+            features: self.features,
             faces: self.faces.clone(),
             system: self.system.clone(),
             merged: self.merged,
@@ -110,6 +111,7 @@ impl<S: Coordinate> GraphFile<S> {
             },
             pieces_of: pieces_of.iter().map(first).collect(),
             numbering: self.numbering,
+            layers: self.layers.clone(),
         }
     }
 }

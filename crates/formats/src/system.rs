@@ -1,5 +1,6 @@
 //! The coordinate system of a file, which goes through as it is: nothing is computed with it.
 
+use serde_json::Value;
 use serde_json::value::RawValue;
 
 /// A coordinate system: the member `crs` of a `GeoJSON`, or the `SRID` of a WKT.
@@ -44,6 +45,15 @@ impl CoordinateSystem {
         let end = behind.find(|c: char| c != ':' && c != '.' && !c.is_ascii_digit());
         let number = behind[..end.unwrap_or(behind.len())].rsplit(':').next()?;
         number.parse().ok()
+    }
+
+    /// Whether it is the system of another file: by the numbers of both, or else by what their members say.
+    pub(crate) fn is(&self, other: &CoordinateSystem) -> bool {
+        let member = |json| serde_json::from_str::<Value>(json).ok();
+        match [self, other].map(CoordinateSystem::srid) {
+            [Some(one), Some(other)] => one == other,
+            _ => member(&self.json) == member(&other.json),
+        }
     }
 
     /// The name of the system in messages.

@@ -14,9 +14,9 @@ from typing import Any
 import numpy as np
 
 from . import _native
-from ._arrays import as_values
+from ._arrays import as_array, as_values, by_names
 from ._errors import Error, KindError
-from ._input import Input
+from ._input import Input, as_points
 from ._remarks import Remark
 
 # The types of GeoJSON, and the one that shapely has beside them.
@@ -68,7 +68,7 @@ def as_geometries(given: Any, name: str = "points", height: str | None = None) -
             isinstance(given, Iterable) and hasattr(given, "__len__") and not isinstance(given, (str, bytes, dict))
         )
         members = given if has_members else ()
-    first = next((member for member in members if member is not None), None)
+    first = next((member for member in members if member is not None and not _is_table(member)), None)
     if first is None or not (_is_of(first, "geopandas") or _is_geometry(first) or _document(first) is not None):
         return None
     return _of_members(members, name, height)
@@ -81,6 +81,11 @@ def _is_of(given: Any, library: str) -> bool:
 
 def _is_geometry(given: Any) -> bool:
     return _is_of(given, "shapely") and hasattr(given, "geom_type")
+
+
+def _is_table(given: Any) -> bool:
+    """Whether it is an array or a frame without geometries."""
+    return getattr(given, "ndim", 0) == 2 and not _is_of(given, "geopandas")
 
 
 def _document(given: Any) -> dict[str, Any] | None:
@@ -157,6 +162,8 @@ def _of_members(members: Iterable[Any], name: str, height: str | None) -> Geomet
             inner: Geometries | None = Geometries(_array([member]))
         else:
             inner = as_geometries(member, f"{name}[{position}]", height)
+        if inner is None and _is_table(member):
+            inner = _of_table(member, f"{name}[{position}]", height)
         if inner is None:
             raise KindError(
                 f"{name}[{position}] is no geometry but of the type {type(member).__name__}", position=(position,)
@@ -174,6 +181,22 @@ def _of_members(members: Iterable[Any], name: str, height: str | None) -> Geomet
         np.concatenate(heights) if raised else None,
         raised[0] if raised else HEIGHT,
     )
+
+
+def _of_table(given: Any, name: str, height: str | None) -> Geometries:
+    """Points of an array or a frame, each a geometry, with their heights."""
+    import shapely
+
+    places, z = by_names(given, height)
+    rows = as_array(places, name)
+    if z is None and rows.shape[1] == 3:
+        rows, z = rows[:, :2], rows[:, 2]
+    points = as_points(rows, name)
+    if not isinstance(points, np.ndarray):
+        raise KindError(f"{name} has exact coordinates, and geometries have doubles")
+    if z is not None:
+        points = np.column_stack([points, as_values(z, len(points), name).reshape(-1)])
+    return Geometries(shapely.points(points))
 
 
 def agree(one: Any, other: Any, name: str) -> None:

@@ -52,7 +52,8 @@ def triangulate(
         they count as arrays.
         Or geometries: of shapely, a GeoDataFrame, GeoSeries or its array, GeoJSON as a dictionary, what has
         `__geo_interface__`, and lists and arrays of them; or a dictionary of `triangle`. These bring their edges,
-        polygons and holes, and `heights` and `crs`. An array of doubles of which the rows follow each other in memory is
+        polygons and holes, and `heights` and `crs`. In a list with geometries may be arrays, also of shape (n, 3), and
+        frames: each row is a point with its height. So contour lines, a border and a survey are one terrain. An array of doubles of which the rows follow each other in memory is
         not copied: no other thread may write to it during the call, and whoever writes to it later changes the result's
         points.
     edges : array_like of int of shape (m, 2), optional

@@ -148,11 +148,13 @@ pub(crate) fn as_rationals(name: &str, input: Input) -> Result<GraphFile<BigRati
         edge_markers: file.edge_markers,
         polygons: file.polygons,
         edge_features: file.edge_features,
+        features: file.features,
         faces: file.faces,
         system: file.system,
         merged: file.merged,
         remarks: file.remarks,
         numbering: file.numbering,
+        layers: file.layers,
     })
 }
 
@@ -183,7 +185,8 @@ fn given<'a, S, T>(
     }
 }
 
-fn refuse_non_finite(name: &str, file: &GraphFile<f64>) -> Result<(), Failure> {
+/// Refuses a file called `name` with a point that is not finite.
+pub(crate) fn refuse_non_finite(name: &str, file: &GraphFile<f64>) -> Result<(), Failure> {
     let is_finite = |point: &[f64; 2]| point.iter().all(|x| x.is_finite());
     match file.graph.points.iter().position(|point| !is_finite(point)) {
         None => Ok(()),

@@ -121,7 +121,8 @@ pub(crate) fn format_of_output(
     })
 }
 
-fn by_extension(file: &FileArgument, formats: &[Format]) -> Option<Format> {
+/// The format that the extension of a file tells, if it is one of these.
+pub(crate) fn by_extension(file: &FileArgument, formats: &[Format]) -> Option<Format> {
     Format::named(file.path()?.extension()?.to_str()?, formats)
 }
 

@@ -68,16 +68,16 @@ impl InsideArgs {
             (Some(rule), _) => (rule, "as --inside says".to_owned()),
             (None, Inside::Holes) => {
                 let holes = count(holes, "hole", "holes");
-                let why = format!("as the file has {holes}; --inside hull keeps all");
+                let why = format!("as the input has {holes}; --inside hull keeps all");
                 (Inside::Holes, why)
             }
             (None, Inside::Polygons) => {
                 let polygons = count(polygons, "polygon", "polygons");
-                let why = format!("as the file has {polygons}; --inside hull keeps all");
+                let why = format!("as the input has {polygons}; --inside hull keeps all");
                 (Inside::Polygons, why)
             }
             (None, rule) => {
-                let why = "as the file has no holes and no polygons; --inside holes keeps what edges enclose";
+                let why = "as the input has no holes and no polygons; --inside holes keeps what edges enclose";
                 (rule, why.to_owned())
             }
         }

@@ -7,6 +7,8 @@ use sweep_cdt_formats::{Coordinate, GraphFile, Input};
 
 use super::failure::Failure;
 use super::files::FilesRead;
+use super::places::located;
+use super::splitting::SplitArgs;
 
 /// Arguments that choose it.
 #[derive(clap::Args)]
@@ -44,20 +46,17 @@ fn filled<S: Coordinate>(
     mut file: GraphFile<S>,
     files: &FilesRead,
 ) -> Result<GraphFile<S>, Failure> {
-    let first = file.numbering.vertex;
     let remark = missing.fill(&mut file).map_err(|error| {
         let error = match error {
             MissingError::Refused { vertex, others } => {
-                let [x, y] = file.graph.points[vertex].each_ref().map(S::text);
-                let vertex = vertex + first;
+                let vertex = file.vertex_in_words(vertex);
                 format!(
-                    "vertex {vertex} at ({x}, {y}) has no height, and {others} others have none \
+                    "{vertex} has no height, and {others} others have none \
                      (--missing interpolate makes them)"
                 )
             }
             MissingError::NotTriangulated(error) => {
-                let error = error.renumbered(|v| v + first, |edge| edge);
-                MissingError::NotTriangulated(error).to_string()
+                format!("{}{}", located(&file, error), SplitArgs::advice(&error))
             }
         };
         Failure::Error(format!("{name}: {error}"))

@@ -9,6 +9,7 @@ pub(crate) mod failure;
 pub(crate) mod files;
 pub(crate) mod glossary;
 pub(crate) mod inside;
+pub(crate) mod layers;
 pub(crate) mod missing;
 pub(crate) mod outputs;
 pub(crate) mod places;

@@ -32,26 +32,35 @@ pub(crate) fn located_interior<S: Coordinate>(file: &GraphFile<S>, error: Interi
         return located(file, error);
     }
     let graph = &file.graph;
-    let seed_of_region = |region: usize| graph.regions.get(region).map(|region| &region.seed);
-    let place = match error {
-        InteriorError::OpenAtVertex { vertex } => graph.points.get(vertex),
+    let (place, layer) = match error {
+        InteriorError::OpenAtVertex { vertex } => {
+            (graph.points.get(vertex), file.vertex_of_layer(vertex))
+        }
         InteriorError::SeedOutside { seed }
         | InteriorError::SeedOnVertex { seed, .. }
-        | InteriorError::SeedOnEdge { seed, .. } => match seed {
-            Seed::Hole(hole) => graph.holes.get(hole),
-            Seed::Region(region) => seed_of_region(region),
-        },
-        InteriorError::RegionOutside { region } => seed_of_region(region),
-        _ => None,
+        | InteriorError::SeedOnEdge { seed, .. } => of_seed(file, seed),
+        InteriorError::RegionOutside { region } => of_seed(file, Seed::Region(region)),
+        _ => (None, None),
     };
+    let layer = layer.map_or(String::new(), |layer| format!(", {layer}"));
     let numbered = file.interior_as_numbered(error);
     match place {
-        Some([x, y]) => format!("{numbered}, at ({}, {})", x.text(), y.text()),
+        Some([x, y]) => format!("{numbered}, at ({}, {}){layer}", x.text(), y.text()),
         None => numbered.to_string(),
     }
 }
 
-/// The parts of the map that two edges are of, where the file has features.
+/// The place of a seed, and its name in its layer, if there are layers.
+fn of_seed<S>(file: &GraphFile<S>, seed: Seed) -> (Option<&[S; 2]>, Option<String>) {
+    let graph = &file.graph;
+    let place = match seed {
+        Seed::Hole(hole) => graph.holes.get(hole),
+        Seed::Region(region) => graph.regions.get(region).map(|region| &region.seed),
+    };
+    (place, file.seed_of_layer(seed))
+}
+
+/// The parts of the map that two edges are of, where the file has features or layers.
 pub(crate) fn parts<S>(file: &GraphFile<S>, edges: [usize; 2]) -> String {
     match edges.map(|edge| file.part_of(edge)) {
         [Some(one), Some(other)] if one == other => format!(", both of {one}"),

@@ -7,10 +7,10 @@ use sweep_cdt_engine::{Inside, Remark, remarks};
 use sweep_cdt_formats::{Coordinate, GraphFile, Input};
 use sweep_cdt_terrain::Surface;
 
-use super::arguments::InputArgs;
 use super::failure::Failure;
 use super::files::{FilesRead, ReadingArgs};
 use super::inside::InsideArgs;
+use super::layers::LayersArgs;
 use super::missing::MissingArgs;
 use super::places::located;
 use super::splitting::SplitArgs;
@@ -19,7 +19,7 @@ use super::splitting::SplitArgs;
 #[derive(clap::Args)]
 pub(crate) struct TerrainArgs {
     #[command(flatten)]
-    input: InputArgs,
+    layers: LayersArgs,
 
     #[command(flatten)]
     reading: ReadingArgs,
@@ -46,7 +46,7 @@ pub(crate) trait Work<S> {
 impl TerrainArgs {
     /// The name of the input in messages.
     pub(crate) fn name(&self) -> String {
-        self.input.name()
+        self.layers.name()
     }
 
     /// The rule for what of a file is inside.
@@ -61,13 +61,11 @@ impl TerrainArgs {
 
     /// Reads the input.
     pub(crate) fn read(&self, files: &mut FilesRead) -> Result<Input, Failure> {
-        let input = self.input.read(files, |_| ())?;
-        let input = self.missing.apply(&self.name(), input, files)?;
+        let mut input = self.layers.read(files)?;
         if self.split.is_asked() {
-            Ok(self.split.apply(&self.name(), input)?.0)
-        } else {
-            Ok(input)
+            input = self.split.apply(&self.name(), input)?.0;
         }
+        self.missing.apply(&self.name(), input, files)
     }
 
     /// Triangulates a file, and works on the surface. What is to say about both is said.

@@ -79,7 +79,7 @@ fn a_poly_with_holes_has_them() {
     assert_eq!(
         printed(&run(&folder, "frame.poly")),
         format!(
-            "{summary}\ninside 8 of 10 triangles: rule holes, as the file has 1 hole; --inside hull keeps all\n"
+            "{summary}\ninside 8 of 10 triangles: rule holes, as the input has 1 hole; --inside hull keeps all\n"
         )
     );
     assert_eq!(
@@ -147,7 +147,7 @@ fn an_outline_that_is_open_keeps_nothing() {
     let open = open.replace("1\n1 1 2 0.5\n", "0\n");
     let folder = folder(&[("open.poly", &open)]);
     let summary = "open.poly: points 8, duplicates 0, edges 8, triangles 10, hull 4\n\
-                   inside 0 of 10 triangles: rule holes, as the file has 1 hole; --inside hull keeps all\n";
+                   inside 0 of 10 triangles: rule holes, as the input has 1 hole; --inside hull keeps all\n";
     // The outside comes in.
     let output = run(&folder, "open.poly");
     assert_eq!(printed_without_triangles(&output), summary);
@@ -238,7 +238,7 @@ fn seeds_are_read_with_care() {
     let end = FRAME.find("1\n1 4 5").expect("the holes");
     let folder = folder(&[("frame.poly", &FRAME[..end])]);
     let summary = "frame.poly: points 8, duplicates 0, edges 8, triangles 10, hull 4\n\
-                   inside 10 of 10 triangles: rule hull, as the file has no holes and no polygons; --inside holes \
+                   inside 10 of 10 triangles: rule hull, as the input has no holes and no polygons; --inside holes \
                    keeps what edges enclose\n";
     assert_eq!(printed(&run(&folder, "frame.poly")), summary);
 }

@@ -12,6 +12,7 @@ mod formats;
 mod generate;
 mod inside;
 mod interiors;
+mod layers;
 mod losses;
 mod matching;
 mod outputs;

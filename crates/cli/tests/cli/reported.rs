@@ -173,7 +173,7 @@ fn files_are_refused_or_explained_by_what_they_are() {
     let summary = run(REPORTS, "L_without_holes.poly");
     let summary = text(&summary.stdout);
     assert!(
-        summary.contains("rule hull, as the file has no holes and no polygons; --inside holes keeps what edges enclose"),
+        summary.contains("rule hull, as the input has no holes and no polygons; --inside holes keeps what edges enclose"),
         "{summary}"
     );
 }

@@ -64,7 +64,9 @@ pub(super) struct Edges<'a> {
     pub(super) vertex_markers: Vec<(usize, i64)>,
     pub(super) polygons: Polygons,
     /// The feature of each edge, or none.
-    pub(super) features: Vec<u32>,
+    pub(super) edge_features: Vec<u32>,
+    /// How many features there are.
+    pub(super) features: usize,
     pub(super) faces: Faces,
     pub(super) system: Option<CoordinateSystem>,
     pub(super) remarks: Remarks,
@@ -108,7 +110,8 @@ impl<'a> Edges<'a> {
             markers: Vec::new(),
             vertex_markers: Vec::new(),
             polygons: Polygons::default(),
-            features: Vec::new(),
+            edge_features: Vec::new(),
+            features: 0,
             faces: Faces::default(),
             system: None,
             remarks: Remarks::default(),

@@ -143,7 +143,8 @@ fn file<S: Coordinate>(
             Vec::new()
         },
         polygons: content.polygons,
-        edge_features: content.features,
+        edge_features: content.edge_features,
+        features: content.features,
         faces: content.faces,
         system: content.system,
         remarks: content.remarks.into_list(),

@@ -1,11 +1,12 @@
 //! The formats as one program: certificates (`certificates`), vertices that are matched (`matching`), odd but correct files
-//! (`files`), points as text (`points`), their columns (`columns`), roles of rings (`roles`), every pair of formats (`exchange`), the formats of
+//! (`files`), files put together (`layers`), points as text (`points`), their columns (`columns`), roles of rings (`roles`), every pair of formats (`exchange`), the formats of
 //! other programs (`meshes`, `vtu`, `msh`, `numpy`), and files that are refused (`meshes_refused`).
 
 mod certificates;
 mod columns;
 mod exchange;
 mod files;
+mod layers;
 mod matching;
 mod meshes;
 mod meshes_refused;

@@ -279,14 +279,13 @@ fn collections_in_collections_do_not_recurse() {
 
 #[test]
 fn fractions_are_read_in_texts() {
-    let read = |format, text: &str| read(format, &source(text), None);
-    let wkt = read(Format::Wkt, "MULTIPOINT (1/3 0.1, (0.5 2))");
-    let json = read(
-        Format::Json,
-        r#"{"vertices": [["1/3", 0.1], [0.5, 2]], "segments": []}"#,
-    );
-    assert!(matches!(&wkt, Ok(Input::Rationals(_))));
-    assert_eq!(wkt, json);
+    let graph = |format, text: &str| match read(format, &source(text), None) {
+        Ok(Input::Rationals(file)) => file.graph,
+        other => panic!("{text}: {other:?}"),
+    };
+    let wkt = graph(Format::Wkt, "MULTIPOINT (1/3 0.1, (0.5 2))");
+    let json = r#"{"vertices": [["1/3", 0.1], [0.5, 2]], "segments": []}"#;
+    assert_eq!(wkt, graph(Format::Json, json));
 }
 
 #[test]

@@ -106,7 +106,7 @@ impl<'a> Shapes<'a> {
     /// All positions as vertices, and the sides of lines and rings.
     pub(super) fn into_graph(self) -> Edges<'a> {
         let (mut edges, mut polygons) = (Vec::new(), Polygons::default());
-        let mut features = Vec::new();
+        let mut edge_features = Vec::new();
         for (part, feature, range) in &self.parts {
             let ring = match part {
                 Part::Points => continue,
@@ -124,7 +124,7 @@ impl<'a> Shapes<'a> {
             }
             polygons.ring_of.resize(edges.len(), ring);
             let feature = u32::try_from(*feature).unwrap_or(u32::MAX);
-            features.resize(edges.len(), feature);
+            edge_features.resize(edges.len(), feature);
         }
         if polygons.is_empty() {
             polygons.ring_of.clear();
@@ -135,7 +135,8 @@ impl<'a> Shapes<'a> {
         };
         Edges {
             polygons,
-            features,
+            edge_features,
+            features: self.features,
             system: self.system,
             remarks: self.remarks,
             ..Edges::without_seeds(vertices.with_heights(&self.heights), edges, 0)

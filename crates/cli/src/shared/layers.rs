@@ -1,0 +1,72 @@
+//! The input of a subcommand: a file, or several that are its layers.
+
+use sweep_cdt_formats::{Format, GraphFile, Input};
+
+use super::arguments::InputArgs;
+use super::arithmetic::{as_rationals, refuse_non_finite};
+use super::failure::Failure;
+use super::files::{FileArgument, FilesRead, by_extension, format_parser};
+
+/// Arguments that name the files of an input.
+#[derive(clap::Args)]
+pub(crate) struct LayersArgs {
+    /// File to read: .node, .poly, .json, .obj, .off, .csv, .xyz, .txt, .ply, .vtk, .vtu, .vtp, .msh, .geojson, .wkt, .npy
+    /// or .npz; `-` for standard input. Several are layers of one input: contour lines, a border and breaklines, for example
+    #[arg(value_name = "INPUT", required = true)]
+    inputs: Vec<FileArgument>,
+
+    /// Format of the input; of several inputs, of those whose extension tells none [default: by its extension]
+    #[arg(long, value_name = "FORMAT", value_parser = format_parser(Format::INPUTS))]
+    input_format: Option<Format>,
+}
+
+impl LayersArgs {
+    /// The name of the input in messages.
+    pub(crate) fn name(&self) -> String {
+        let names: Vec<String> = self.inputs.iter().map(FileArgument::input_name).collect();
+        match &names[..] {
+            [first, _, _, ..] => format!("{first} and {} others", names.len() - 1),
+            _ => names.join(" and "),
+        }
+    }
+
+    /// Reads the input.
+    pub(crate) fn read(&self, files: &mut FilesRead) -> Result<Input, Failure> {
+        let columns = std::mem::take(&mut files.columns);
+        let mut layers = Vec::with_capacity(self.inputs.len());
+        for file in &self.inputs {
+            let tells = self.inputs.len() > 1 && by_extension(file, Format::INPUTS).is_some();
+            let format = self.input_format.filter(|_| !tells);
+            files.columns.clone_from(&columns);
+            let input = InputArgs::new(file.clone(), format);
+            layers.push((input.name(), input.read(files, |_| ())?));
+        }
+        if layers.len() == 1 {
+            let (_, input) = layers.remove(0);
+            return Ok(input);
+        }
+        put_together(layers)
+    }
+}
+
+/// Puts layers together, each with its name; with the exact values of all numbers, if one has fractions.
+fn put_together(layers: Vec<(String, Input)>) -> Result<Input, Failure> {
+    let (mut doubles, mut rationals) = (Vec::new(), Vec::new());
+    let has_fractions = layers
+        .iter()
+        .any(|(_, input)| matches!(input, Input::Rationals(_)));
+    for (name, input) in layers {
+        match input {
+            Input::Doubles(file) if !has_fractions => {
+                refuse_non_finite(&name, &file)?;
+                doubles.push((name, file));
+            }
+            input => rationals.push((name.clone(), as_rationals(&name, input)?)),
+        }
+    }
+    Ok(if has_fractions {
+        Input::Rationals(GraphFile::of_layers(rationals)?)
+    } else {
+        Input::Doubles(GraphFile::of_layers(doubles)?)
+    })
+}
