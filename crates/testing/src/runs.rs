@@ -98,7 +98,7 @@ fn windows_of<S: Sample + Clone>(scalar: &str) -> Vec<Run> {
     let mut runs = Vec::new();
     for window in [1, 2, 7] {
         runs.push(Run {
-            name: format!("{scalar} in rests of bands of {window}"),
+            name: format!("bands of {scalar}, of {window}, joined"),
             choice: Choice {
                 window,
                 ..Choice::default()
