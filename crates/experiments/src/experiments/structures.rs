@@ -14,7 +14,7 @@ pub(crate) const FRONTS: Experiment = Experiment {
     about: "Which search structure for which data, by how much, and why?",
     cells: |quick| {
         if quick {
-            return cells(FRONTS_KINDS, &[1000, 10_000], 1..=1);
+            return cells(FRONTS_KINDS, &[1000, 10_000], 1..=2);
         }
         let mut all = cells(FRONTS_KINDS, &[10_000, 100_000], 1..=10);
         all.extend(cells(FRONTS_KINDS, &[1_000_000], 1..=3));
