@@ -54,15 +54,15 @@ pub(crate) struct Heights {
 const AFTER_HELP: &str = "\
 Heights are the third coordinate, the first attribute of the vertices of a .node or .poly, or a
 property of the features of a .geojson or column of a .csv (--height-property).
-A triangle with a corner that has no height gives none, and none are outside of --inside, but by
---within: of several nearest places the lowest counts, and of these the leftmost.
+A triangle with a corner that has no height gives none, and a point outside of --inside has none
+unless --within is given. Of several nearest places the lowest counts, and of these the leftmost.
 
 Output: the points in the order of their file, with their columns, markers and coordinate system where
 the format has room for them, and their heights in place of those that they had. Equal points of a map
 (.geojson, .wkt) are one. A point without a height has what its format has for that: nothing,
 or `NaN`. A line says how many there are.
 
-Time is proportional to points and triangles, times the logarithm, however the points lie.
+Without --within, time is proportional to points and triangles, times the logarithm, however the points lie.
 
 Exit status:
   0  done   1  wrong input, nothing written   2  wrong usage

@@ -1,7 +1,7 @@
 //! Where points lie on a domain, and which place on its border is nearest to one outside.
 //!
 //! Both are decided exactly: the first all at once (`WithPoints::locate_all`), the second by squares of distances in
-//! fractions. Of several nearest places the lowest counts, and of these the leftmost, so numbers of vertices do not.
+//! fractions. Of several nearest places the lowest counts, and of these the leftmost: the order of the input does not.
 //!
 //! A tree of boxes in doubles tells which sides of the border to look at: no side is nearer than its box. Why none is
 //! missed: a coordinate is scaled by a power of two, and off by 2^-52 of its size if it is no double; a box is larger by
@@ -9,8 +9,8 @@
 //! two differences, two products and a sum, is off by less than [`MARGIN`]. Where doubles overflow or lose digits, all
 //! sides are looked at.
 //!
-//! Cost: O((n + m) log(n + m)) to locate m points in n triangles. A point outside costs O(log n), and a few microseconds
-//! for each side whose box is nearer than the nearest side: few, but where many long slanted sides lie side by side.
+//! Cost: O((n + m) log(n + m)) to locate m points in n triangles. A point outside costs O(log n), and a step for each
+//! side whose box is nearer than the nearest side: few, but where many long slanted sides lie side by side.
 
 use num_rational::BigRational;
 use num_traits::{One, Zero};
