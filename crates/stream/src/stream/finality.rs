@@ -87,8 +87,10 @@ impl<S: Scalar + Clone> Line<S> {
         let (ax, ay) = (a[0].approx(), a[1].approx());
         let (bx, by) = (b[0].approx(), b[1].approx());
         let (cx, cy) = (c[0].approx(), c[1].approx());
-        let up = self.up();
-        let height = up * self.y.approx() - (up * ay).min(up * by).min(up * cy);
+        let height = match self.inner {
+            Ordering::Less => self.y.approx() - ay.min(by).min(cy),
+            _ => ay.max(by).max(cy) - self.y.approx(),
+        };
         let (ux, uy, vx, vy, wx, wy) = (bx - ax, by - ay, cx - ax, cy - ay, cx - bx, cy - by);
         let (left, right) = (ux * vy, uy * vx);
         let area = left - right;
