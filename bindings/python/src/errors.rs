@@ -7,6 +7,7 @@ use sweep_cdt::Error;
 use sweep_cdt::crossings::SplitError;
 use sweep_cdt::interior::{InteriorError, Seed};
 use sweep_cdt_edit::{BoundsError, EditError, RefineError, VoronoiError};
+use sweep_cdt_stream::StreamError;
 
 /// What a call gives that fails with an error of the crate.
 #[derive(Debug)]
@@ -17,6 +18,7 @@ pub(crate) enum Fault {
     Edit(EditError),
     Refine(RefineError),
     Voronoi(VoronoiError),
+    Stream(StreamError),
 }
 
 impl From<Error> for Fault {
@@ -71,6 +73,12 @@ impl From<BoundsError> for Fault {
 impl From<VoronoiError> for Fault {
     fn from(error: VoronoiError) -> Fault {
         Fault::Voronoi(error)
+    }
+}
+
+impl From<StreamError> for Fault {
+    fn from(error: StreamError) -> Fault {
+        Fault::Stream(error)
     }
 }
 
@@ -190,6 +198,17 @@ impl Fault {
                 }
                 _ => "Error",
             },
+            Fault::Stream(error) => match error {
+                StreamError::NonFiniteCoordinate { vertex } => {
+                    attributes.set_item("vertex", vertex)?;
+                    "NonFiniteError"
+                }
+                StreamError::CrossingEdges { edges: [a, b] } => {
+                    attributes.set_item("edges", (a, b))?;
+                    "CrossingEdgesError"
+                }
+                _ => "Error",
+            },
         };
         let message = match self {
             Fault::Input(error) => error.to_string(),
@@ -201,6 +220,7 @@ impl Fault {
             }
             Fault::Refine(error) => error.to_string(),
             Fault::Voronoi(error) => error.to_string(),
+            Fault::Stream(error) => error.to_string(),
         };
         Ok((class, message))
     }

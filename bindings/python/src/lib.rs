@@ -7,6 +7,7 @@
 
 #![deny(unsafe_code)]
 
+mod bands;
 mod calls;
 mod columns;
 mod crossings;
@@ -37,6 +38,8 @@ mod _native {
     #[pymodule_export]
     #[allow(non_upper_case_globals, reason = "Python's name")]
     const __version__: &str = env!("CARGO_PKG_VERSION");
+    #[pymodule_export]
+    use crate::bands::{band, join};
     #[pymodule_export]
     use crate::columns::{gathered, named_columns, named_height};
     #[pymodule_export]
