@@ -22,7 +22,8 @@ pub enum Clip<'a, S> {
 }
 
 impl<S: Exact> Clip<'_, S> {
-    /// The box around points, a tenth of its longer side larger on all sides; of equal points, by 1. `None` without points.
+    /// The box around points, a tenth of its longer side larger on all sides; of equal points, by 1. Where doubles do not
+    /// reach so far, it goes to the last point. `None` without points.
     ///
     /// ```
     /// use sweep_cdt_engine::Clip;
@@ -46,15 +47,14 @@ impl<S: Exact> Clip<'_, S> {
             true => fraction(1),
             false => longer / fraction(10),
         };
-        let corners = [
-            [left - &margin, low - &margin],
-            [right + &margin, high + &margin],
-        ];
-        Some(Clip::Box(
-            corners
-                .each_ref()
-                .map(|corner| corner.each_ref().map(S::nearest)),
-        ))
+        let moved = |x: BigRational, by: BigRational| {
+            let far = S::nearest(&(&x + by));
+            if far.is_finite() { far } else { S::nearest(&x) }
+        };
+        Some(Clip::Box([
+            [moved(left, -&margin), moved(low, -&margin)],
+            [moved(right, margin.clone()), moved(high, margin)],
+        ]))
     }
 }
 

@@ -322,6 +322,29 @@ fn angles_are_said_at_every_scale() {
     assert!(size(Broken::Angle, flat.each_ref()) <= 0.0);
 }
 
+/// A box a tenth larger would not be one of doubles: on that side it ends with the points.
+#[test]
+fn the_box_around_ends_with_the_greatest_doubles() {
+    let far = 1.7e308;
+    let points = [[far, 0.0], [-far, 1.0], [0.0, far], [5.0, 5.0]];
+    let result = triangulate(&points, &[]).expect("points");
+    let voronoi = Voronoi::new(&result, &points).expect("no edges");
+    let around = Clip::around(&points).expect("points");
+    let (found, _) = cells(&voronoi, &result, &around).expect("finite corners");
+    assert_eq!(found.len(), 4);
+    assert!(
+        corners(&found)
+            .flat_map(|(_, place)| place)
+            .all(|x| x.is_finite())
+    );
+    let Clip::Box([low, high]) = around else {
+        panic!("it is a box")
+    };
+    assert_eq!([low[0], high[0], high[1]], [-far, far, far]);
+    // A tenth of 3.4e308, which is no double.
+    assert_eq!(low[1], -(far / 5.0));
+}
+
 /// Where corners round to one place, the cell is there all the same: two points in a box around them, first.
 #[test]
 fn cells_of_doubles_tile_what_they_are_cut_to() {
