@@ -18,6 +18,7 @@ use sweep_cdt::crossings::crossings;
 use sweep_cdt::interior::FillRule;
 use sweep_cdt::verify::verify;
 use sweep_cdt::{Algorithm, Bands, Stats, Triangulator, Watch};
+use sweep_cdt_stream::{Final, Stream, StreamVerifier};
 use sweep_cdt_testing::{Input, clouds, data, families, segments};
 
 /// By how much a count may differ.
@@ -28,7 +29,7 @@ const FILE: &str = "benches/instructions.txt";
 /// Makes an input, and works on it so many times.
 type Work = fn(usize);
 
-const WORKS: [(&str, Work); 15] = [
+const WORKS: [(&str, Work); 16] = [
     ("uniform", |times| {
         triangulated(&clouds::uniform(100_000), times);
     }),
@@ -77,6 +78,7 @@ const WORKS: [(&str, Work); 15] = [
         });
     }),
     ("stream", streamed),
+    ("verified", verified_stream),
 ];
 
 fn worked(input: &Input, times: usize, work: impl Fn(&Input)) {
@@ -168,19 +170,51 @@ fn verified(times: usize) {
     });
 }
 
-fn streamed(times: usize) {
+/// Points in the order of the sweep.
+fn ordered() -> Input {
     let mut input = clouds::uniform(100_000);
     input
         .points
         .sort_unstable_by(|p, q| p[1].total_cmp(&q[1]).then(p[0].total_cmp(&q[0])));
-    worked(&input, times, |input| {
-        let mut count = 0;
-        let mut stream = sweep_cdt_stream::Stream::new(Triangulator::new(), |_| count += 1);
-        for (number, point) in (0..).zip(&input.points) {
-            stream.push(number, *point).expect("an ordered point");
+    input
+}
+
+/// The triangles in the order in which they are final.
+fn stream(input: &Input) -> Vec<[u64; 3]> {
+    let mut triangles = Vec::new();
+    let mut stream = Stream::new(Triangulator::new(), |found| {
+        if let Final::Triangle { corners, .. } = found {
+            triangles.push(corners);
         }
-        stream.finish().expect("a valid input");
-        black_box(count);
+    });
+    for (number, point) in (0..).zip(&input.points) {
+        stream.push(number, *point).expect("an ordered point");
+    }
+    stream.finish().expect("a valid input");
+    triangles
+}
+
+fn streamed(times: usize) {
+    worked(&ordered(), times, |input| drop(black_box(stream(input))));
+}
+
+/// As `verify --stream` does it: a point comes when a triangle names it.
+fn verified_stream(times: usize) {
+    let input = ordered();
+    let triangles = stream(&input);
+    worked(&input, times, |input| {
+        let mut verifier = StreamVerifier::new();
+        let mut points = (0..).zip(&input.points);
+        for &corners in &triangles {
+            let most = corners.into_iter().max().expect("three corners");
+            while !verifier.has_vertex(most) {
+                let (number, &point) = points.next().expect("a vertex to come");
+                verifier.vertex(number, point).expect("a new vertex");
+            }
+            let judged = verifier.triangle(corners, None);
+            judged.expect("a right triangle");
+        }
+        black_box(verifier.finish().expect("all triangles"));
     });
 }
 

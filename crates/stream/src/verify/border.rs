@@ -5,7 +5,7 @@
 
 use std::cmp::Ordering;
 
-use super::records::{Map, Open, Vertex};
+use super::records::{Map, Open, Vertex, Vertices};
 use super::violation::StreamViolation;
 use sweep_cdt::scalar::{Scalar, orient2d};
 
@@ -16,14 +16,15 @@ pub(super) fn upward<S: Scalar>(a: &[S; 2], b: &[S; 2]) -> Ordering {
 
 /// How many sides the border has, if it is a convex polygon.
 pub(super) fn convex<S: Scalar>(
-    open: &Map<[u64; 2], Open<S>>,
-    vertices: &Map<u64, Vertex<S>>,
+    open: &Map<[usize; 2], Open<S>>,
+    vertices: &Vertices<S>,
 ) -> Result<u64, StreamViolation> {
-    let mut next = Map::new();
+    let mut next = Map::default();
     let mut least = u64::MAX;
     // The least vertex at which two sides of the border begin.
     let mut pinched: Option<u64> = None;
-    for (&[low, high], side) in open {
+    for (slots, side) in open {
+        let [low, high] = slots.map(|slot| vertices.at(slot).number);
         let (from, to) = if side.is_upward {
             (low, high)
         } else {
@@ -52,7 +53,8 @@ pub(super) fn convex<S: Scalar>(
     let mut peaks = 0;
     for i in 0..count {
         let numbers = [0, 1, 2].map(|k| chain[(i + k) % count]);
-        let [a, b, c] = numbers.map(|v| &vertices[&v].point);
+        let corners = numbers.map(|v| vertices.get(v).expect("an end of a side"));
+        let [a, b, c] = corners.map(|vertex| &vertex.point);
         let (first, second) = (upward(a, b), upward(b, c));
         let turn = orient2d(a, b, c);
         let is_back = turn.is_eq() && first != second;
@@ -68,19 +70,15 @@ pub(super) fn convex<S: Scalar>(
 }
 
 /// Without triangles, all vertices must lie on one line.
-pub(super) fn all_on_one_line<S: Scalar>(
-    vertices: &Map<u64, Vertex<S>>,
-) -> Result<(), StreamViolation> {
-    let order =
-        |(_, a): &(&u64, &Vertex<S>), (_, b): &(&u64, &Vertex<S>)| upward(&a.point, &b.point);
-    let (Some((_, low)), Some((_, high))) =
-        (vertices.iter().min_by(order), vertices.iter().max_by(order))
+pub(super) fn all_on_one_line<S: Scalar>(vertices: &Vertices<S>) -> Result<(), StreamViolation> {
+    let order = |a: &&Vertex<S>, b: &&Vertex<S>| upward(&a.point, &b.point);
+    let (Some(low), Some(high)) = (vertices.iter().min_by(order), vertices.iter().max_by(order))
     else {
         return Ok(());
     };
-    let beside = |vertex: &Vertex<S>| orient2d(&low.point, &high.point, &vertex.point).is_ne();
-    let beside = vertices.iter().filter(|(_, vertex)| beside(vertex));
-    match beside.map(|(&number, _)| number).min() {
+    let beside = |vertex: &&Vertex<S>| orient2d(&low.point, &high.point, &vertex.point).is_ne();
+    let beside = vertices.iter().filter(beside);
+    match beside.map(|vertex| vertex.number).min() {
         Some(vertex) => Err(StreamViolation::NoTriangle { vertex }),
         None => Ok(()),
     }

@@ -33,8 +33,8 @@ impl<S: Scalar + Clone> StreamVerifier<S> {
     /// The vertex is not known, or `upper` is not finite, or not above it by y, then x. (An edge of no length is none.)
     /// Or the edge comes too late.
     pub fn edge(&mut self, number: u64, from: u64, upper: [S; 2]) -> Result<(), StreamViolation> {
-        let (from, vertex) = self.known(from)?;
-        let lower = &vertex.point;
+        let from = self.known(from)?;
+        let lower = &self.vertices.at(from).point;
         if !upper.iter().all(S::is_finite) || upward(lower, &upper).is_ge() {
             return Err(StreamViolation::BadEdge { edge: number });
         }
@@ -46,7 +46,8 @@ impl<S: Scalar + Clone> StreamVerifier<S> {
         self.report.edges += 1;
         if self.level >= Level::Constrained {
             *self.ends.entry(Place(upper.clone())).or_default() += 1;
-            let ends = self.at(from).waiting.entry(towards).or_default();
+            let vertex = self.vertices.at_mut(from);
+            let ends = vertex.waiting.entry(towards).or_default();
             ends.entry(Place(upper)).or_default().push(number);
         }
         Ok(())
@@ -108,13 +109,11 @@ impl<S: Scalar + Clone> StreamVerifier<S> {
     /// Lets edges take the run up from a vertex in the direction of a place. Returns the run's upper end and the end of
     /// an edge, if edges go on.
     fn pass_on(&mut self, at: u64, place: &[S; 2]) -> Option<(u64, [S; 2])> {
-        let vertex = &self.vertices[&at];
+        let vertex = self.vertices.get(at)?;
         let towards = Towards::new(&vertex.point, place);
         let run = vertex.up.get(&towards)?;
         let (high, end) = (run.high, Place(run.point.clone()));
-        if !self.vertices.contains_key(&high) {
-            return None;
-        }
+        self.vertices.slot(high)?;
         // Those that end before the run does cannot take it.
         let waiting = &mut self.at(at).waiting;
         let all = waiting.get_mut(&towards)?;
@@ -162,16 +161,16 @@ impl<S: Scalar + Clone> StreamVerifier<S> {
 
     /// At the end no edge waits, and each constrained side is taken.
     pub(super) fn no_chain_is_broken(&self) -> Result<(), StreamViolation> {
-        let waiting = self.vertices.iter().flat_map(|(&vertex, found)| {
-            let edges = found.waiting.values().flat_map(BTreeMap::values).flatten();
-            edges.map(move |&edge| (edge, vertex))
+        let waiting = self.vertices.iter().flat_map(|vertex| {
+            let edges = vertex.waiting.values().flat_map(BTreeMap::values).flatten();
+            edges.map(|&edge| (edge, vertex.number))
         });
         if let Some((edge, vertex)) = waiting.min() {
             return Err(StreamViolation::BrokenEdge { edge, vertex });
         }
-        let faults = self.vertices.iter().flat_map(|(&low, found)| {
-            let open = found.up.values().filter(|run| !run.is_taken);
-            open.filter_map(move |run| Some(([low, run.high], run.unless_taken?)))
+        let faults = self.vertices.iter().flat_map(|low| {
+            let open = low.up.values().filter(|run| !run.is_taken);
+            open.filter_map(|run| Some(([low.number, run.high], run.unless_taken?)))
         });
         match faults.min_by_key(|(side, _)| *side) {
             Some((_, fault)) => Err(fault),

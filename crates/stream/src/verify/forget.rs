@@ -26,7 +26,7 @@ impl<S: Scalar + Clone> StreamVerifier<S> {
     pub(super) fn forget(&mut self) {
         while let Some(number) = self.loose.pop() {
             if self.is_closed(number)
-                && let Some(vertex) = self.vertices.remove(&number)
+                && let Some(vertex) = self.vertices.remove(number)
             {
                 for duplicate in &vertex.duplicates {
                     self.duplicates.remove(duplicate);
@@ -38,7 +38,7 @@ impl<S: Scalar + Clone> StreamVerifier<S> {
 
     /// Whether nothing that is right can need a corner of a triangle, but for edges that pass it.
     fn is_closed(&self, number: u64) -> bool {
-        self.vertices.get(&number).is_some_and(|vertex| {
+        self.vertices.get(number).is_some_and(|vertex| {
             vertex.open == 0
                 && vertex.unclaimed == 0
                 && vertex.waiting.is_empty()
@@ -57,7 +57,7 @@ impl<S: Scalar + Clone> StreamVerifier<S> {
             let Some(up) = ups.next_if(|up| turn(&up.point).is_eq()) else {
                 continue;
             };
-            let Some(lower) = self.vertices.get_mut(&low) else {
+            let Some(lower) = self.vertices.get_mut(low) else {
                 continue;
             };
             let towards = Towards::new(&lower.point, point);
@@ -67,7 +67,7 @@ impl<S: Scalar + Clone> StreamVerifier<S> {
             };
             let back = Towards::new(&up.point, point);
             (run.high, run.point) = (up.high, up.point);
-            if let Some(high) = self.vertices.get_mut(&up.high) {
+            if let Some(high) = self.vertices.get_mut(up.high) {
                 high.down.insert(back, low);
             }
         }

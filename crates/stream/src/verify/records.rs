@@ -3,14 +3,81 @@
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
+use foldhash::fast::RandomState;
+
 use super::violation::StreamViolation;
 use sweep_cdt::scalar::{Scalar, orient2d};
 
-/// A map by number, which no choice of numbers makes slow.
-pub(super) type Map<K, V> = std::collections::HashMap<K, V>;
+/// A map by number. Its hashes are seeded at random, so that no choice of numbers makes it slow.
+pub(super) type Map<K, V> = std::collections::HashMap<K, V, RandomState>;
+
+/// The vertices that are kept. Each has a slot, which another one may have later: while a side waits, its ends are kept,
+/// so sides name slots. All else names numbers.
+pub(super) struct Vertices<S> {
+    slots: Map<u64, usize>,
+    kept: Vec<Option<Vertex<S>>>,
+    free: Vec<usize>,
+}
+
+impl<S> Vertices<S> {
+    pub(super) fn new() -> Self {
+        Vertices {
+            slots: Map::default(),
+            kept: Vec::new(),
+            free: Vec::new(),
+        }
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.slots.len()
+    }
+
+    pub(super) fn slot(&self, number: u64) -> Option<usize> {
+        self.slots.get(&number).copied()
+    }
+
+    pub(super) fn get(&self, number: u64) -> Option<&Vertex<S>> {
+        self.kept[self.slot(number)?].as_ref()
+    }
+
+    pub(super) fn get_mut(&mut self, number: u64) -> Option<&mut Vertex<S>> {
+        let slot = self.slot(number)?;
+        self.kept[slot].as_mut()
+    }
+
+    /// The vertex in a slot, which has one.
+    pub(super) fn at(&self, slot: usize) -> &Vertex<S> {
+        self.kept[slot].as_ref().expect("a vertex that is kept")
+    }
+
+    pub(super) fn at_mut(&mut self, slot: usize) -> &mut Vertex<S> {
+        self.kept[slot].as_mut().expect("a vertex that is kept")
+    }
+
+    /// Keeps a vertex whose number is new.
+    pub(super) fn insert(&mut self, vertex: Vertex<S>) {
+        let slot = self.free.pop().unwrap_or(self.kept.len());
+        self.slots.insert(vertex.number, slot);
+        match self.kept.get_mut(slot) {
+            Some(free) => *free = Some(vertex),
+            None => self.kept.push(Some(vertex)),
+        }
+    }
+
+    pub(super) fn remove(&mut self, number: u64) -> Option<Vertex<S>> {
+        let slot = self.slots.remove(&number)?;
+        self.free.push(slot);
+        self.kept[slot].take()
+    }
+
+    pub(super) fn iter(&self) -> impl Iterator<Item = &Vertex<S>> + Clone {
+        self.kept.iter().flatten()
+    }
+}
 
 /// A vertex that may still be named.
 pub(super) struct Vertex<S> {
+    pub(super) number: u64,
     pub(super) point: [S; 2],
     /// The numbers of the vertices that are declared to equal it.
     pub(super) duplicates: Vec<u64>,
@@ -64,8 +131,9 @@ impl<S: Scalar> Ord for Towards<S> {
 
 impl<S> Vertex<S> {
     /// A vertex that nothing has named.
-    pub(super) fn new(point: [S; 2]) -> Self {
+    pub(super) fn new(number: u64, point: [S; 2]) -> Self {
         Vertex {
+            number,
             point,
             duplicates: Vec::new(),
             open: 0,
@@ -92,7 +160,7 @@ pub(super) struct Up<S> {
 pub(super) struct Open<S> {
     /// The corner opposite, and where it is.
     pub(super) apex: [S; 2],
-    /// Whether the triangle passes the side from the lower number to the higher.
+    /// Whether the triangle passes the side from the lower slot to the higher.
     pub(super) is_upward: bool,
     /// Whether the triangle says that the side is constrained, if it says.
     pub(super) is_constrained: Option<bool>,
