@@ -23,7 +23,7 @@ impl StreamCommand {
         };
         let read = self.sort.files(&self.input, self.strict);
         let name = self.input.input_name();
-        let sorted = self.sort.sorted(&self.input, &self.columns, |remarks| {
+        let sorted = self.sort.sorted(&self.input, self.choice(), |remarks| {
             read.say(&name, remarks)
         })?;
         fs::create_dir_all(folder).map_err(|error| Failure::of_file(folder, &error))?;

@@ -17,7 +17,7 @@ use std::time::{Duration, Instant};
 
 use sweep_cdt::Triangulator;
 use sweep_cdt::verify::Level;
-use sweep_cdt_stream::external::{Statistics, Summary, SweepOrder};
+use sweep_cdt_stream::external::{Choice, Statistics, Summary, SweepOrder};
 use sweep_cdt_stream::{Final, Stream, StreamError, StreamStats, StreamVerifier, StreamViolation};
 
 use crate::shared::failure::Failure;
@@ -200,7 +200,7 @@ impl StreamCommand {
         refuse_read(&read, destination.iter().chain(&part).chain(&vertices))?;
         refuse_twice(destination.iter().chain(&part).chain(&vertices))?;
         let name = self.input.input_name();
-        let sorted = self.sort.sorted(&self.input, &self.columns, |remarks| {
+        let sorted = self.sort.sorted(&self.input, self.choice(), |remarks| {
             read.say(&name, remarks)
         })?;
         let summary = sorted.order.summary();
@@ -219,6 +219,14 @@ impl StreamCommand {
         match writes_standard && outcome.ended.is_ok() {
             true => Ok(()),
             false => self.report(outcome, &summary, &kept),
+        }
+    }
+
+    /// What is read of the input.
+    fn choice(&self) -> Choice {
+        Choice {
+            columns: self.columns.clone(),
+            ..Choice::default()
         }
     }
 

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use bytesize::ByteSize;
 use sweep_cdt_engine::Remark;
 use sweep_cdt_stream::external::{
-    Error, FORMATS, Format, Input, Sorting, SweepOrder, open_columns,
+    Choice, Error, FORMATS, Format, Input, Sorting, SweepOrder, open_chosen,
 };
 
 use crate::shared::failure::Failure;
@@ -44,13 +44,13 @@ pub(super) struct Sorted {
     pub(super) first_edge: u64,
     path: PathBuf,
     format: Format,
-    columns: Vec<String>,
+    choice: Choice,
 }
 
 impl Sorted {
     /// The points once more, as the input has them.
     pub(super) fn points(&self) -> Result<Box<dyn Input>, Error> {
-        let opened = open_columns(&self.path, self.format, None, &self.columns);
+        let opened = open_chosen(&self.path, self.format, None, &self.choice);
         Ok(opened?)
     }
 }
@@ -86,11 +86,11 @@ impl SortArgs {
         files
     }
 
-    /// The input, of which these columns were chosen, sorted. `say` gets what is left out of it before.
+    /// The input, of which this was chosen, sorted. `say` gets what is left out of it before.
     pub(super) fn sorted(
         &self,
         input: &FileArgument,
-        columns: &[String],
+        choice: Choice,
         say: impl FnOnce(&[Remark]) -> Result<(), Failure>,
     ) -> Result<Sorted, Failure> {
         let Some(path) = input.path() else {
@@ -100,7 +100,7 @@ impl SortArgs {
         };
         let format = format_of_input(input, "--stream-format", self.stream_format, FORMATS)?;
         let folder = self.temporary.clone().unwrap_or_else(std::env::temp_dir);
-        let mut opened = open_columns(path, format, self.edges.as_deref(), columns)?;
+        let mut opened = open_chosen(path, format, self.edges.as_deref(), &choice)?;
         say(&opened.remarks())?;
         let order = self.order(&mut *opened, &folder);
         let [first_point, first_edge] = opened.first();
@@ -110,7 +110,7 @@ impl SortArgs {
             first_edge,
             path: path.to_owned(),
             format,
-            columns: columns.to_vec(),
+            choice,
         })
     }
 

@@ -7,7 +7,13 @@ use std::path::Path;
 use las::{Builder, Point, Transform, Vlr, Writer};
 use sweep_cdt_stream::external::{Format, Sorting, open};
 
+use crate::formats::check_heights;
 use crate::{Random, expected, take};
+
+/// The height of a point of a cloud: a whole number of halves.
+fn height(x: f64, y: f64) -> f64 {
+    (x + 2.0 * y).floor() / 2.0
+}
 
 /// Writes a cloud, and returns its points: whole numbers of millimetres.
 fn write(path: &Path, is_packed: bool) -> Vec<[f64; 2]> {
@@ -27,6 +33,10 @@ fn write_version(path: &Path, is_packed: bool, version: (u8, u8)) -> Vec<[f64; 2
     };
     builder.transforms.x = millimetres;
     builder.transforms.y = millimetres;
+    builder.transforms.z = Transform {
+        scale: 0.5,
+        offset: 0.0,
+    };
     let header = builder.into_header().expect("a header");
     let mut writer = Writer::from_path(path, header).expect("a file");
     let mut random = Random(71);
@@ -36,6 +46,7 @@ fn write_version(path: &Path, is_packed: bool, version: (u8, u8)) -> Vec<[f64; 2
         let point = Point {
             x,
             y,
+            z: height(x, y),
             gps_time: (version == (1, 4)).then_some(0.0),
             ..Point::default()
         };
@@ -93,6 +104,8 @@ fn clouds_are_read() {
         let order = Sorting::new(3_000_000, folder.path()).sort(&mut *input);
         let vertices = take(order.expect("no fault")).expect("no fault");
         assert!(vertices == expected(&points, &[]).0, "{name}");
+        let heights: Vec<f64> = points.iter().map(|&[x, y]| height(x, y)).collect();
+        check_heights(&path, format, Some(&heights));
     }
 }
 

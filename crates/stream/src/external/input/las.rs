@@ -1,4 +1,4 @@
-//! Point clouds of laser scanners, `.las` and `.laz`, with the crate `las`: x and y of each point.
+//! Point clouds of laser scanners, `.las` and `.laz`, with the crate `las`: x, y and perhaps z of each point.
 //!
 //! A file holds whole numbers of 32 bits, and for each axis a scale and an offset. A coordinate is the double that the
 //! crate makes of them.
@@ -34,6 +34,8 @@ pub(super) struct Cloud {
     file: InputFile,
     reader: Reader,
     points: PointData,
+    /// Those of the points that came last, if they are asked for.
+    heights: Option<Vec<f64>>,
     /// Where the points begin, as the header says.
     points_begin: u64,
     read: u64,
@@ -41,7 +43,7 @@ pub(super) struct Cloud {
 }
 
 impl Cloud {
-    pub(super) fn open(path: &Path) -> Result<Cloud, ReadError> {
+    pub(super) fn open(path: &Path, heights: bool) -> Result<Cloud, ReadError> {
         let file = InputFile::open(path)?;
         let read = BufReader::new(file.handle()?);
         let (reader, points_begin) =
@@ -55,6 +57,7 @@ impl Cloud {
             file,
             reader,
             points,
+            heights: heights.then(Vec::new),
             points_begin,
             read: 0,
             count,
@@ -236,6 +239,9 @@ impl Input for Cloud {
         let each = self.reader.header().point_format().len();
         let most = POINTS.min(BYTES / u64::from(each.max(1)));
         let most = most.min(self.count - self.read);
+        if let Some(heights) = &mut self.heights {
+            heights.clear();
+        }
         if most == 0 {
             return self.file.check();
         }
@@ -261,7 +267,14 @@ impl Input for Cloud {
         self.read += most;
         let pairs = self.points.x().zip(self.points.y());
         points.extend(pairs.map(|(x, y)| [x, y]));
+        if let Some(heights) = &mut self.heights {
+            heights.extend(self.points.z());
+        }
         Ok(())
+    }
+
+    fn heights(&self) -> Option<&[f64]> {
+        self.heights.as_deref()
     }
 
     fn next_edges(&mut self, _edges: &mut Vec<[u64; 2]>) -> Result<(), ReadError> {
@@ -286,9 +299,13 @@ impl Input for Cloud {
             }
         }
         if self.count > 0 {
+            let what = match self.heights {
+                None => "heights, and all else that points have",
+                Some(_) => "classes, and all else that points have beside places and heights",
+            };
             remarks.push(Remark::Ignored {
                 count: usize::try_from(self.count).unwrap_or(usize::MAX),
-                what: "heights, and all else that points have".to_owned(),
+                what: what.to_owned(),
             });
         }
         remarks

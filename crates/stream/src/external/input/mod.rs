@@ -30,6 +30,11 @@ pub trait Input {
     /// The input is wrong there, or cannot be read.
     fn next_points(&mut self, points: &mut Vec<[f64; 2]>) -> Result<(), ReadError>;
 
+    /// The height of each point that came last, NaN where it has none; `None` if the input gives no heights.
+    fn heights(&self) -> Option<&[f64]> {
+        None
+    }
+
     /// Appends the next edges, by the numbers of their ends from 0. If there are none, no more will come. All points are
     /// read before the first edge.
     ///
@@ -42,7 +47,7 @@ pub trait Input {
         Vec::new()
     }
 
-    /// Whether the points have heights, which are left out.
+    /// Whether the points have heights in the input, left out or not.
     fn has_heights(&self) -> bool {
         false
     }
@@ -78,28 +83,38 @@ pub fn open(
     format: Format,
     edges: Option<&Path>,
 ) -> Result<Box<dyn Input>, ReadError> {
-    open_columns(path, format, edges, &[])
+    open_chosen(path, format, edges, &Choice::default())
 }
 
-/// Opens a file as [`open`] does; of points as text these columns are x, y and perhaps z, by their names or their places
-/// from 1 on, as in [`Source::columns`](sweep_cdt_formats::Source::columns).
+/// What is read of a file.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Choice {
+    /// Of points as text these columns are x, y and perhaps z, by their names or their places from 1 on, as in
+    /// [`Source::columns`](sweep_cdt_formats::Source::columns).
+    pub columns: Vec<String>,
+    /// Whether points come with their heights, if they have any: z of `.ply`, `.las` and text, the first attribute of
+    /// `.node` and `.poly`.
+    pub heights: bool,
+}
+
+/// Opens a file as [`open`] does, and reads what was chosen.
 ///
 /// # Errors
 /// The errors of [`open`]; or there is no such column.
-pub fn open_columns(
+pub fn open_chosen(
     path: &Path,
     format: Format,
     edges: Option<&Path>,
-    columns: &[String],
+    choice: &Choice,
 ) -> Result<Box<dyn Input>, ReadError> {
     let input: Box<dyn Input> = match format {
         Format::F64 => Box::new(raw::Points::open(path)?),
-        Format::Ply => Box::new(ply::Ply::open(path)?),
-        Format::Node => Box::new(triangle::Triangle::open(path, false)?),
-        Format::Poly => Box::new(triangle::Triangle::open(path, true)?),
-        Format::Csv | Format::Xyz | Format::Txt => Box::new(text::Text::open(path, columns)?),
+        Format::Ply => Box::new(ply::Ply::open(path, choice.heights)?),
+        Format::Node => Box::new(triangle::Triangle::open(path, false, choice.heights)?),
+        Format::Poly => Box::new(triangle::Triangle::open(path, true, choice.heights)?),
+        Format::Csv | Format::Xyz | Format::Txt => Box::new(text::Text::open(path, choice)?),
         #[cfg(feature = "las")]
-        Format::Las | Format::Laz => Box::new(las::Cloud::open(path)?),
+        Format::Las | Format::Laz => Box::new(las::Cloud::open(path, choice.heights)?),
         _ => {
             let message = format!("a .{} is not read in pieces", format.name());
             return Err(ReadError::of_file(path.display().to_string(), message));
