@@ -58,9 +58,9 @@ pub use seeds::locate_seeds;
 pub use split::Splitting;
 pub use system::CoordinateSystem;
 pub use write::{
-    Cell, Ridges, edges_along, json_coordinate, not_written, write, write_cells, write_certificate,
-    write_crossings, write_graph, write_interior, write_lines, write_node, write_ridges,
-    write_violations,
+    Cell, LineWriter, RasterHead, Ridges, edges_along, json_coordinate, not_written, write,
+    write_asc, write_cells, write_certificate, write_crossings, write_graph, write_interior,
+    write_lines, write_node, write_ridges, write_violations,
 };
 
 /// The example of the README, as a test.

@@ -127,6 +127,9 @@ impl Grid {
 
     /// The heights at the centres that lie in a triangle, whose corners are counter-clockwise: `put` gets a row, the first
     /// column and the heights from there on, NaN where a height that counts is missing.
+    ///
+    /// # Errors
+    /// Those of `put`.
     pub fn heights<E>(
         &self,
         corners: [Corner; 3],

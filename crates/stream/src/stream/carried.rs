@@ -64,15 +64,33 @@ impl<T: Clone> Carried<T> {
     /// The stream can name no such vertex.
     #[must_use]
     pub fn get(&self, number: u64) -> &T {
-        self.place(number).expect("a vertex that is alive")
+        match self.place(number) {
+            (true, at) => &self.fresh[at],
+            (false, at) => &self.kept[at].1,
+        }
     }
 
-    fn place(&self, number: u64) -> Option<&T> {
-        let Some(at) = number.checked_sub(self.first) else {
-            let at = self.kept.binary_search_by_key(&number, |kept| kept.0);
-            return at.ok().map(|at| &self.kept[at].1);
-        };
-        self.fresh.get(usize::try_from(at).ok()?)
+    /// The value of a vertex that the stream names, to be changed.
+    ///
+    /// # Panics
+    /// The stream can name no such vertex.
+    pub fn get_mut(&mut self, number: u64) -> &mut T {
+        match self.place(number) {
+            (true, at) => &mut self.fresh[at],
+            (false, at) => &mut self.kept[at].1,
+        }
+    }
+
+    /// Whether a vertex has come since the last window, and its place among those or the others.
+    fn place(&self, number: u64) -> (bool, usize) {
+        let at = number.checked_sub(self.first);
+        match at.and_then(|at| usize::try_from(at).ok()) {
+            Some(at) => (true, at),
+            None => {
+                let at = self.kept.binary_search_by_key(&number, |kept| kept.0);
+                (false, at.expect("a vertex that is alive"))
+            }
+        }
     }
 
     /// Forgets what a stream can name no more. Call it after each vertex that is pushed.
@@ -83,8 +101,8 @@ impl<T: Clone> Carried<T> {
         self.windows = stream.stats().windows;
         let mut alive = stream.vertices().to_vec();
         alive.sort_unstable();
-        let value = |&number: &u64| Some((number, self.place(number)?.clone()));
-        self.kept = alive.iter().filter_map(value).collect();
+        let value = |number| (number, self.get(number).clone());
+        self.kept = alive.into_iter().map(value).collect();
         self.first += self.fresh.len() as u64;
         self.fresh.clear();
     }

@@ -42,7 +42,8 @@ pub trait Input {
     /// The input is wrong there, or cannot be read.
     fn next_edges(&mut self, edges: &mut Vec<[u64; 2]>) -> Result<(), ReadError>;
 
-    /// The remarks on the input: what is left out, and what decides which numbers are points.
+    /// The remarks on the input: what is left out, and what decides which numbers are points. More may be known when all
+    /// points are read.
     fn remarks(&self) -> Vec<Remark> {
         Vec::new()
     }
@@ -92,6 +93,9 @@ pub struct Choice {
     /// Of points as text these columns are x, y and perhaps z, by their names or their places from 1 on, as in
     /// [`Source::columns`](sweep_cdt_formats::Source::columns).
     pub columns: Vec<String>,
+    /// Of a `.las` or `.laz` the points of these classes alone, which are then numbered as if there were no others; all
+    /// points, if it is empty.
+    pub classes: Vec<u8>,
     /// Whether points come with their heights, if they have any: z of `.ply`, `.las` and text, the first attribute of
     /// `.node` and `.poly`.
     pub heights: bool,
@@ -100,13 +104,17 @@ pub struct Choice {
 /// Opens a file as [`open`] does, and reads what was chosen.
 ///
 /// # Errors
-/// The errors of [`open`]; or there is no such column.
+/// The errors of [`open`]; or there is no such column, or the format has no classes.
 pub fn open_chosen(
     path: &Path,
     format: Format,
     edges: Option<&Path>,
     choice: &Choice,
 ) -> Result<Box<dyn Input>, ReadError> {
+    if !choice.classes.is_empty() && !matches!(format, Format::Las | Format::Laz) {
+        let message = format!("a .{} has no classes of points", format.name());
+        return Err(ReadError::of_file(path.display().to_string(), message));
+    }
     let input: Box<dyn Input> = match format {
         Format::F64 => Box::new(raw::Points::open(path)?),
         Format::Ply => Box::new(ply::Ply::open(path, choice.heights)?),
@@ -114,7 +122,7 @@ pub fn open_chosen(
         Format::Poly => Box::new(triangle::Triangle::open(path, true, choice.heights)?),
         Format::Csv | Format::Xyz | Format::Txt => Box::new(text::Text::open(path, choice)?),
         #[cfg(feature = "las")]
-        Format::Las | Format::Laz => Box::new(las::Cloud::open(path, choice.heights)?),
+        Format::Las | Format::Laz => Box::new(las::Cloud::open(path, choice)?),
         _ => {
             let message = format!("a .{} is not read in pieces", format.name());
             return Err(ReadError::of_file(path.display().to_string(), message));
