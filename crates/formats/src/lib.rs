@@ -57,6 +57,8 @@ pub use remark::{NoTriangles, Remark};
 pub use seeds::locate_seeds;
 pub use split::Splitting;
 pub use system::CoordinateSystem;
+#[cfg(feature = "geotiff")]
+pub use write::write_geotiff;
 pub use write::{
     Cell, LineWriter, RasterHead, Ridges, edges_along, json_coordinate, not_written, write,
     write_asc, write_cells, write_certificate, write_crossings, write_graph, write_interior,

@@ -23,7 +23,8 @@ use crate::passing::Corner;
 /// use sweep_cdt_terrain::Grid;
 ///
 /// let grid = Grid::covering(2.0, [[-1.0, 3.0], [0.0, 4.0]]).unwrap();
-/// assert_eq!((grid.columns(), grid.rows(), grid.corner()), (3, 2, [-2.0, 0.0]));
+/// assert_eq!((grid.columns(), grid.rows()), (3, 2));
+/// assert_eq!(grid.corners(), [[-2.0, 0.0], [4.0, 4.0]]);
 /// assert_eq!(grid.center(0, 2), [3.0, 1.0]);
 /// ```
 #[derive(Clone, Debug, PartialEq)]
@@ -83,10 +84,12 @@ impl Grid {
         self.size[1]
     }
 
-    /// The lower left corner.
+    /// The lower left corner, and the upper right one.
     #[must_use]
-    pub fn corner(&self) -> [f64; 2] {
-        self.first.map(|first| first * self.cell)
+    pub fn corners(&self) -> [[f64; 2]; 2] {
+        let [columns, rows] = self.size.map(|size| size as f64);
+        let last = [self.first[0] + columns, self.first[1] + rows];
+        [self.first, last].map(|corner| corner.map(|at| at * self.cell))
     }
 
     /// The centre of a cell.

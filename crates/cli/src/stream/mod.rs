@@ -121,6 +121,7 @@ Output:
            complete
   .asc     a grid of heights (--raster), those of `sweep-cdt heights` at the centres of its cells;
            NODATA_value outside
+  .tif     the same as GeoTIFF of doubles, in a build with the feature `geotiff`; NaN outside
   Where more stays alive than --memory holds, the triangles up to there are written to a file whose
   name ends in .incomplete. A run that fails otherwise writes no file.
 Memory:

@@ -34,7 +34,8 @@ pub(super) struct TerrainOutputs {
     #[arg(long, value_name = "HEIGHT", value_parser = number, requires = "contours", allow_negative_numbers = true)]
     from: Option<BigRational>,
 
-    /// File to write a grid of heights to, those of `sweep-cdt heights` at the centres of its cells: .asc
+    /// File to write a grid of heights to, those of `sweep-cdt heights` at the centres of its cells: .asc, or .tif in a
+    /// build with the feature `geotiff`
     #[arg(long, value_name = "FILE", requires = "cell")]
     raster: Option<PathBuf>,
 
@@ -50,17 +51,32 @@ fn cell(text: &str) -> Result<f64, String> {
     size.ok_or_else(|| "not a number greater than 0".to_owned())
 }
 
+/// How a grid is written.
+#[derive(Clone, Copy)]
+pub(super) enum RasterFormat {
+    Asc,
+    #[cfg(feature = "geotiff")]
+    Tif,
+}
+
+/// The extensions of grids.
+const RASTERS: &[(&str, RasterFormat)] = &[
+    (".asc", RasterFormat::Asc),
+    #[cfg(feature = "geotiff")]
+    (".tif", RasterFormat::Tif),
+];
+
 /// Where contour lines and the grid go.
 #[derive(Default)]
 pub(super) struct TerrainTargets {
     pub(super) lines: Option<(Destination, Format)>,
-    pub(super) raster: Option<Destination>,
+    pub(super) raster: Option<(Destination, RasterFormat)>,
 }
 
 impl TerrainTargets {
     pub(super) fn all(&self) -> impl Iterator<Item = &Destination> {
         let lines = self.lines.iter().map(|(lines, _)| lines);
-        lines.chain(&self.raster)
+        lines.chain(self.raster.iter().map(|(raster, _)| raster))
     }
 }
 
@@ -78,13 +94,15 @@ impl TerrainOutputs {
             targets.lines = Some((Destination::of(&file)?, format));
         }
         if let Some(path) = &self.raster {
-            if path.extension().is_none_or(|extension| extension != "asc") {
-                let name = path.display();
+            let name = path.display().to_string();
+            let Some((_, format)) = RASTERS.iter().find(|(end, _)| name.ends_with(end)) else {
+                let known: Vec<&str> = RASTERS.iter().map(|(end, _)| *end).collect();
+                let known = known.join(" or ");
                 let message =
-                    format!("{name} is no name for a grid of heights: let it end in .asc");
+                    format!("{name} is no name for a grid of heights: let it end in {known}");
                 return Err(Failure::Usage(message));
-            }
-            targets.raster = Some(Destination::of_path(path.clone())?);
+            };
+            targets.raster = Some((Destination::of_path(path.clone())?, *format));
         }
         if self
             .every
@@ -208,19 +226,35 @@ impl Terrain {
         })
     }
 
-    /// Writes the grid.
-    pub(super) fn write_raster(&mut self, out: &mut Out<'_>) -> io::Result<()> {
+    /// Writes the grid. A `GeoTIFF` is made in the folder for temporary files, since its beginning is known last.
+    #[cfg_attr(not(feature = "geotiff"), expect(unused_variables))]
+    pub(super) fn write_raster(
+        &mut self,
+        format: RasterFormat,
+        folder: &Path,
+        out: &mut Out<'_>,
+    ) -> io::Result<()> {
         let Some(raster) = self.raster.take() else {
             return Ok(());
         };
         let grid = raster.grid();
         let head = RasterHead {
             size: [grid.columns(), grid.rows()],
-            corner: grid.corner(),
+            corners: grid.corners(),
             cell: grid.cell(),
             lowest: self.lowest,
         };
-        write_asc(&head, |row| raster.each_row(row), out)
+        match format {
+            RasterFormat::Asc => write_asc(&head, |row| raster.each_row(row), out),
+            #[cfg(feature = "geotiff")]
+            RasterFormat::Tif => {
+                let mut file = tempfile::tempfile_in(folder)?;
+                let tiff = io::BufWriter::new(&mut file);
+                sweep_cdt_formats::write_geotiff(&head, |row| raster.each_row(row), tiff)?;
+                io::Seek::rewind(&mut file)?;
+                io::copy(&mut file, out).map(|_| ())
+            }
+        }
     }
 
     /// What is to say about the heights; the first point has this number.

@@ -86,9 +86,9 @@ impl StreamCommand {
                     read.say(&name, &terrain.remarks(first_point, stats.triangles))?;
                 }
                 outcome.lines = terrain.summary();
-                if let Some(raster) = targets.terrain.raster {
+                if let Some((raster, format)) = targets.terrain.raster {
                     of_terrain.add_part(raster, |out| {
-                        terrain.write_raster(out)?;
+                        terrain.write_raster(format, &self.sort.folder(), out)?;
                         Ok(is_whole)
                     })?;
                 }

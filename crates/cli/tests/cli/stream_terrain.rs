@@ -150,6 +150,22 @@ fn grids_have_the_heights_at_their_centres() {
     }
 }
 
+/// What the file says is tested where it is written.
+#[cfg(feature = "geotiff")]
+#[test]
+fn grids_are_written_as_geotiff() {
+    let folder = folder(&[("waves.csv", &waves(300))]);
+    let arguments = "stream waves.csv --temporary . --raster a.tif --cell 1";
+    let output = ran(&folder, arguments);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let bytes = fs::read(folder.path().join("a.tif")).expect("a file");
+    assert!(
+        bytes.starts_with(b"II*\0") && bytes.len() > 30 * 30 * 8,
+        "{}",
+        bytes.len()
+    );
+}
+
 #[test]
 fn one_place_with_two_heights_has_the_first() {
     // The third point equals the first one, and the last one the second, which has no height.

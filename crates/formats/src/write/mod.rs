@@ -29,6 +29,8 @@ pub use json::json_coordinate;
 pub use labels::edges_along;
 pub use lines::{LineWriter, write_lines};
 pub use losses::not_written;
+#[cfg(feature = "geotiff")]
+pub use raster::write_geotiff;
 pub use raster::{RasterHead, write_asc};
 pub use rows::write_node;
 pub use violations::write_violations;

@@ -209,7 +209,7 @@ fn cells_have_the_heights_at_their_centres() {
 #[test]
 fn grids_lie_at_whole_multiples_of_their_cells() {
     let covering = |cell, x| Grid::covering(cell, [x, [0.0, 0.0]]);
-    let across = |cell, x| covering(cell, x).map(|grid| (grid.corner()[0], grid.columns()));
+    let across = |cell, x| covering(cell, x).map(|grid| (grid.corners()[0][0], grid.columns()));
     assert_eq!(across(1.0, [0.0, 3.0]), Some((0.0, 3)));
     assert_eq!(across(1.0, [-0.5, 3.5]), Some((-1.0, 5)));
     assert_eq!(across(0.1, [0.25, 0.35]), Some((0.2, 2)));
