@@ -63,7 +63,7 @@ Examples:
   sweep-cdt contours survey.geojson --every 0.5 --from 0.25 --inside even-odd -o lines.wkt";
 
 /// Reads a number exactly.
-fn number(text: &str) -> Result<BigRational, String> {
+pub(crate) fn number(text: &str) -> Result<BigRational, String> {
     BigRational::from_text(text).map_err(|error| format!("`{text}` {error}"))
 }
 

@@ -95,6 +95,9 @@ impl Format {
     /// Formats in which [`write_crossings`](crate::write_crossings) lists edges that cross.
     pub const CROSSINGS: &'static [Format] = &[Csv, Json, Geojson];
 
+    /// Formats in which a [`LineWriter`](crate::LineWriter) writes lines one by one.
+    pub const LINES: &'static [Format] = &[Geojson, Wkt];
+
     /// The name, which is the extension of its files.
     pub fn name(self) -> &'static str {
         match self {

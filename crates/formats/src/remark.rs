@@ -79,6 +79,13 @@ pub enum Remark {
         /// How many heights are that.
         count: usize,
     },
+    /// Points of some classes alone were asked for.
+    Classes {
+        /// How many points are of these classes.
+        kept: usize,
+        /// How many points there are.
+        points: usize,
+    },
     /// A header contradicts the rest of its file, or says that all points are one.
     Promise {
         /// The contradiction, in words.
@@ -221,6 +228,7 @@ impl Remark {
             Remark::Columns { .. } => "columns",
             Remark::NoValue { .. } => "no-value",
             Remark::Void { .. } => "void",
+            Remark::Classes { .. } => "classes",
             Remark::Promise { .. } => "promise",
             Remark::HalfOfTheGlobe { .. } => "half-of-the-globe",
             Remark::TracedTwice { .. } => "traced-twice",
@@ -334,6 +342,9 @@ impl Remark {
             Remark::Void { value, count } => {
                 let of = of(*count, "height is", "heights are");
                 format!("{of} {value}, which often means that there is none")
+            }
+            Remark::Classes { kept, points } => {
+                format!("{kept} of {points} points are of the classes that were chosen")
             }
             Remark::Promise { what } => format!("the header says {what}"),
             Remark::HalfOfTheGlobe { edges } => format!(

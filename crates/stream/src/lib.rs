@@ -11,7 +11,7 @@ pub mod external;
 mod stream;
 mod verify;
 
-pub use stream::{Alive, Cut, Final, Rest, RestError, Stream, StreamError, StreamStats};
+pub use stream::{Alive, Carried, Cut, Final, Rest, RestError, Stream, StreamError, StreamStats};
 pub use verify::{StreamReport, StreamVerifier, StreamViolation};
 
 /// The example of the README, as a test.

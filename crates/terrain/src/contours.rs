@@ -17,6 +17,7 @@
 //! levels for each vertex.
 
 use std::fmt;
+use std::ops::Range;
 
 use sweep_cdt::memory::has_room;
 use sweep_cdt::scalar::Scalar;
@@ -108,12 +109,9 @@ impl<S: Scalar> Surface<'_, S> {
     /// The triangles that each level crosses.
     fn crossed(&self, levels: &[f64]) -> Result<Crossed, TooManyPieces> {
         // How many levels each vertex is above.
-        let above = |height: &f64| levels.partition_point(|level| level <= height);
-        let above: Vec<usize> = self.heights.iter().map(above).collect();
-        let range = |corners: [usize; 3]| {
-            let [a, b, c] = corners.map(|v| above[v]);
-            a.min(b).min(c)..a.max(b).max(c)
-        };
+        let above = self.heights.iter().map(|&height| above(levels, height));
+        let above: Vec<usize> = above.collect();
+        let range = |corners: [usize; 3]| crossing(corners.map(|v| above[v]));
         // First the number of pieces alone, which may be beyond all memory.
         let mut changes = vec![0_i64; levels.len() + 1];
         for (_, corners) in self.triangles() {
@@ -186,21 +184,9 @@ impl<S: Scalar> Surface<'_, S> {
         chains
     }
 
-    /// The sides of a triangle through which the line of a level enters and leaves it, with the higher ground on its left,
-    /// and its crossings there.
     fn piece(&self, t: usize, level: f64) -> [(usize, Crossing); 2] {
         let corners = self.interior.triangulation().triangle(t);
-        let is_above = corners.map(|v| self.heights[v] >= level);
-        let side = |from_above: bool| {
-            let side = (0..3).find(|side| {
-                let [from, to] = [(side + 1) % 3, (side + 2) % 3];
-                is_above[from] == from_above && is_above[to] != from_above
-            });
-            let side = side.expect("the level crosses the triangle");
-            let [from, to] = [corners[(side + 1) % 3], corners[(side + 2) % 3]];
-            (side, if from_above { [to, from] } else { [from, to] })
-        };
-        [side(true), side(false)]
+        piece(corners, corners.map(|v| self.heights[v]), level)
     }
 
     /// The line along a chain, without steps of no length; none, if it is one point.
@@ -214,8 +200,44 @@ impl<S: Scalar> Surface<'_, S> {
     fn place(&self, level: f64, [below, above]: Crossing) -> [f64; 2] {
         let heights = [below, above].map(|v| self.heights[v]);
         let ends = [below, above].map(|v| self.points[v].each_ref().map(S::approx));
-        [0, 1].map(|axis| between(level, heights, ends.map(|end| end[axis])))
+        place(level, heights, ends)
     }
+}
+
+/// How many of these levels a height is above.
+pub(crate) fn above(levels: &[f64], height: f64) -> usize {
+    levels.partition_point(|level| *level <= height)
+}
+
+/// The levels between some heights, each of which is above so many.
+pub(crate) fn crossing<const N: usize>(above: [usize; N]) -> Range<usize> {
+    let least = above.iter().min().copied().unwrap_or(0);
+    least..above.iter().max().copied().unwrap_or(0)
+}
+
+/// The sides of a triangle through which the line of a level enters and leaves it, with the higher ground on its left, and
+/// the ends of each: below, above.
+pub(crate) fn piece<V: Copy>(
+    corners: [V; 3],
+    heights: [f64; 3],
+    level: f64,
+) -> [(usize, [V; 2]); 2] {
+    let is_above = heights.map(|height| height >= level);
+    let side = |from_above: bool| {
+        let side = (0..3).find(|side| {
+            let [from, to] = [(side + 1) % 3, (side + 2) % 3];
+            is_above[from] == from_above && is_above[to] != from_above
+        });
+        let side = side.expect("the level crosses the triangle");
+        let [from, to] = [corners[(side + 1) % 3], corners[(side + 2) % 3]];
+        (side, if from_above { [to, from] } else { [from, to] })
+    };
+    [side(true), side(false)]
+}
+
+/// The place where a level crosses a side, from its end below to that above.
+pub(crate) fn place(level: f64, heights: [f64; 2], ends: [[f64; 2]; 2]) -> [f64; 2] {
+    [0, 1].map(|axis| between(level, heights, ends.map(|end| end[axis])))
 }
 
 /// Triangles by the levels that cross them.

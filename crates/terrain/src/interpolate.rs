@@ -1,4 +1,5 @@
-//! Linear interpolation, with results that are as good as doubles allow.
+//! Linear interpolation, with results that are as good as doubles allow. They depend on the places and heights alone, and
+//! not on which corner is named first: so a triangle gives the same height wherever it comes from.
 //!
 //! Doubles do where their errors are bounded well below the accuracy promised; fractions do the rest: slivers, extreme
 //! exponents, and coordinates that are no doubles. Results lie between the values that they come from.
@@ -8,8 +9,11 @@
 //! divided by their sum, so the height is off by less than twice the sum of these errors, divided by the sum of the
 //! areas, times the difference of the heights; and [`ACCURACY`] bounds the quotient.
 
+use std::cmp::Ordering;
+
 use num_rational::BigRational;
 use sweep_cdt::crossings::Exact;
+use sweep_cdt::scalar::Scalar;
 
 /// A bound on the error of a height, as a part of the difference of the heights that it comes from.
 const ACCURACY: f64 = 1e-12;
@@ -37,7 +41,15 @@ pub(crate) fn between(level: f64, [low, high]: [f64; 2], [from, to]: [f64; 2]) -
 }
 
 /// The height of a point between the two ends of a segment.
-pub(crate) fn along<S: Exact>(point: &[S; 2], ends: [&[S; 2]; 2], heights: [f64; 2]) -> f64 {
+pub(crate) fn along<S: Exact>(
+    point: &[S; 2],
+    mut ends: [&[S; 2]; 2],
+    mut heights: [f64; 2],
+) -> f64 {
+    if sweep_order(ends[0], ends[1]).is_gt() {
+        ends.reverse();
+        heights.reverse();
+    }
     let height = || {
         let [[fx, fy], [tx, ty]] = ends.map(approx);
         let [x, y] = approx(point);
@@ -69,7 +81,15 @@ pub(crate) fn at_share(share: &BigRational, heights: [f64; 2]) -> f64 {
 }
 
 /// The height of a point in a triangle.
-pub(crate) fn within<S: Exact>(point: &[S; 2], corners: [&[S; 2]; 3], heights: [f64; 3]) -> f64 {
+pub(crate) fn within<S: Exact>(
+    point: &[S; 2],
+    mut corners: [&[S; 2]; 3],
+    mut heights: [f64; 3],
+) -> f64 {
+    let least = (0..3).min_by(|&a, &b| sweep_order(corners[a], corners[b]));
+    let least = least.unwrap_or(0);
+    corners.rotate_left(least);
+    heights.rotate_left(least);
     let doubles = S::APPROX_IS_EXACT
         .then(|| in_doubles(approx(point), corners.map(approx), heights))
         .flatten();
@@ -103,6 +123,11 @@ fn in_fractions<S: Exact>(point: &[S; 2], corners: [&[S; 2]; 3], heights: [f64; 
     let [za, zb, zc] = heights.map(|height| height.to_fraction());
     let [wa, wb, wc] = weights;
     f64::nearest(&((wa * za + wb * zb + wc * zc) / whole))
+}
+
+/// The order of the sweep: by y, then by x.
+fn sweep_order<S: Scalar>(a: &[S; 2], b: &[S; 2]) -> Ordering {
+    a[1].compare(&b[1]).then_with(|| a[0].compare(&b[0]))
 }
 
 fn clamped<const N: usize>(height: f64, heights: [f64; N]) -> f64 {

@@ -6,17 +6,26 @@
 //! [`contours`](Surface::contours) takes time linear in triangles and lines, [`heights_at`](Surface::heights_at)
 //! O((n + m) log(n + m)) for n triangles and m points, whatever they are. [`Places`] tells where points lie, or which
 //! place on the border is nearest.
+//!
+//! For terrain that no memory holds, triangles may also pass one by one, each corner a [`Corner`]: [`PassingContours`]
+//! joins the same lines of them, and a [`Raster`] gives the cells of a [`Grid`] the same heights.
 
 mod contours;
+mod grid;
 mod heights;
 mod interpolate;
 mod levels;
+mod passing;
 mod places;
+mod raster;
 mod surface;
 
 pub use contours::{Contour, TooManyPieces};
+pub use grid::Grid;
 pub use levels::{LevelsError, levels};
+pub use passing::{Corner, PassingContours};
 pub use places::Places;
+pub use raster::Raster;
 pub use surface::Surface;
 
 /// The example of the README, as a test.

@@ -43,6 +43,13 @@ pub(crate) trait Work<S> {
     fn run(self, surface: &Surface<'_, S>) -> Result<Self::Done, Failure>;
 }
 
+/// The refusal of an input without heights.
+pub(crate) fn no_heights(name: &str) -> Failure {
+    Failure::Error(format!(
+        "{name}: the vertices have no heights: a third coordinate, the column z, the first attribute of a .node or .poly, or the property of a .geojson or column of a .csv that --height-property names"
+    ))
+}
+
 impl TerrainArgs {
     /// The name of the input in messages.
     pub(crate) fn name(&self) -> String {
@@ -77,9 +84,7 @@ impl TerrainArgs {
     ) -> Result<W::Done, Failure> {
         let name = self.name();
         if file.heights().is_none() {
-            return Err(Failure::Error(format!(
-                "{name}: the vertices have no heights: a third coordinate, the column z, the first attribute of a .node or .poly, or the property of a .geojson or column of a .csv that --height-property names"
-            )));
+            return Err(no_heights(&name));
         }
         self.triangulated(file, files, |file, domain| {
             let heights = file.heights().map_or(&[][..], |column| &column.values);

@@ -23,9 +23,11 @@ impl StreamCommand {
         };
         let read = self.sort.files(&self.input, self.strict);
         let name = self.input.input_name();
-        let sorted = self.sort.sorted(&self.input, &self.columns, |remarks| {
-            read.say(&name, remarks)
-        })?;
+        let sorted = self
+            .sort
+            .sorted(&self.input, self.choice(None), |remarks| {
+                read.say(&name, remarks)
+            })?;
         fs::create_dir_all(folder).map_err(|error| Failure::of_file(folder, &error))?;
         let bands = Bands::new(sorted.order, size);
         let mut bands = bands.map_err(|error| self.sort.failure(&error))?;

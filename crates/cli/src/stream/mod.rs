@@ -6,30 +6,32 @@ mod join;
 mod numbers;
 mod order;
 mod output;
+mod report;
+mod terrain;
 mod verify;
+mod writing;
 
 use std::io::{self, Write};
 use std::num::{NonZeroU64, NonZeroUsize};
 use std::path::PathBuf;
-use std::sync::Mutex;
-use std::thread;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use sweep_cdt::Triangulator;
-use sweep_cdt::verify::Level;
-use sweep_cdt_stream::external::{Statistics, Summary, SweepOrder};
+use sweep_cdt_stream::external::{Choice, Statistics, Summary, SweepOrder};
 use sweep_cdt_stream::{Final, Stream, StreamError, StreamStats, StreamVerifier, StreamViolation};
 
 use crate::shared::failure::Failure;
 use crate::shared::files::FileArgument;
-use crate::shared::outputs::{Destination, Out, Outputs, print, refuse_read, refuse_twice};
+use crate::shared::outputs::{Destination, refuse_read, refuse_twice};
 use crate::shared::resources::Progress;
-use beside::Beside;
+use crate::shared::terrain::no_heights;
 pub(crate) use join::Join;
 pub(crate) use order::SortArgs;
-use order::{Sorted, is_one_place};
+use order::is_one_place;
 use output::{Format, Triangles};
+use terrain::{Passing, Terrain, TerrainOutputs};
 pub(crate) use verify::verify_stream;
+use writing::Targets;
 
 /// So many bytes of memory a vertex takes, new or alive, while its window is triangulated (some 170 were measured). A
 /// window has at least as many new ones as are alive.
@@ -63,10 +65,13 @@ pub(crate) struct StreamCommand {
     #[arg(long, value_name = "FILE", requires = "output")]
     vertices: Option<PathBuf>,
 
+    #[command(flatten)]
+    terrain: TerrainOutputs,
+
     /// Triangulate nothing, but cut the sorted vertices into bands of so many, each a file in the folder OUTPUT, for
     /// `sweep-cdt join`
     #[arg(long, value_name = "N", requires = "output")]
-    #[arg(conflicts_with_all = ["vertices", "window", "check", "stats"])]
+    #[arg(conflicts_with_all = ["vertices", "contours", "raster", "window", "check", "stats"])]
     band: Option<NonZeroU64>,
 
     /// Triangulate in windows of so many new vertices [default: seven times as many as are alive]
@@ -80,6 +85,10 @@ pub(crate) struct StreamCommand {
     /// The columns of a .csv, .xyz or .txt that are x, y and perhaps z, by their names or their places from 1 on
     #[arg(long, value_name = "X,Y[,Z]", value_delimiter = ',')]
     columns: Vec<String>,
+
+    /// Of a .las or .laz the points of these classes alone: 2 is the ground. Positions count no others
+    #[arg(long = "class", value_name = "CLASS", value_delimiter = ',')]
+    classes: Vec<u8>,
 
     /// Refuse inputs that say more than points and edges: heights, for example
     #[arg(long)]
@@ -98,20 +107,30 @@ Input:
            Triangle's vertices and segments
   .csv, .xyz, .txt
            points, one a row
+  .las, .laz
+           points of laser scanners, in a build with the feature `las`
 Output:
   .u32, .u64
            three numbers for each triangle, little-endian, of 32 or 64 bits: the positions of its
            corners among the points of the input, from 0. NumPy reads them by fromfile
   .ele     Triangle's elements, with the numbers that a .node or .poly gives its vertices
-  .ply     binary: the points in the order of the input, and the triangles. Their z is 0, or NaN where the
-           input has heights, which are left out
+  .ply     binary: the points in the order of the input, and the triangles. Their z is the height, NaN
+           where it is missing, or 0 where the input has no heights
+  .geojson, .wkt
+           contour lines (--contours), those of `sweep-cdt contours`, in the order in which they are
+           complete
+  .asc     a grid of heights (--raster), those of `sweep-cdt heights` at the centres of its cells;
+           NODATA_value outside
+  .tif     the same as GeoTIFF of doubles, in a build with the feature `geotiff`; NaN outside
   Where more stays alive than --memory holds, the triangles up to there are written to a file whose
   name ends in .incomplete. A run that fails otherwise writes no file.
 Memory:
   --memory is for sorting, and then a half for merging and a half for vertices: those that are
   alive and those of a window. A vertex alive takes 800 bytes of it, and two windows are allowed
   whatever it is. The program itself takes up to 48 MiB more. No option bounds the edges of a vertex
-  or window, those open at the sweep line, and what --check keeps of sides that wait.
+  or window, those open at the sweep line, and what --check keeps of sides that wait. With contour
+  lines or a grid a vertex alive takes 2,240 bytes, and lines that are longer than a sixteenth of
+  --memory are written in parts.
 
 Exit status:
   0  done   1  wrong input, or too much alive   2  wrong usage
@@ -120,6 +139,7 @@ Examples:
   sweep-cdt stream points.f64 -o triangles.u32 --stats
   sweep-cdt stream points.f64 --edges breaklines.u64 --memory 1GiB -o triangles.u32 --check
   sweep-cdt stream points.f64 --vertices sorted.f64 -o triangles.u32
+  sweep-cdt stream tile.ply --contours lines.geojson --every 1 --raster dem.asc --cell 0.5
   sweep-cdt stream points.f64 --band 1000000 -o bands
   sweep-cdt verify --stream points.f64 triangles.u32";
 
@@ -131,15 +151,8 @@ struct Outcome {
     sweeping: Duration,
     /// How many triangles are written.
     written: u64,
-}
-
-/// Where triangles go, and vertices in the order of the sweep.
-struct Written<'a, 'w> {
-    triangles: &'a mut Out<'w>,
-    format: Format,
-    /// The number of the first point.
-    first: u64,
-    vertices: Option<&'a mut dyn Write>,
+    /// The contour lines in words.
+    lines: Option<String>,
 }
 
 /// Why a stream ends early.
@@ -148,6 +161,8 @@ enum Trouble {
     Stream(StreamError),
     Violation(StreamViolation),
     Out(io::Error),
+    /// Contour lines or the grid cannot be written.
+    Terrain(io::Error),
 }
 
 impl Trouble {
@@ -189,6 +204,7 @@ impl StreamCommand {
         if let Some((format, destination)) = format.zip(destination.as_ref()) {
             format.suits(destination, vertices.is_some())?;
         }
+        let terrain = self.terrain.targets()?;
         let writes_standard = destination.as_ref().is_some_and(Destination::is_standard);
         if self.stats && writes_standard {
             let message = "--stats and `-o -` would both write to standard output";
@@ -197,144 +213,65 @@ impl StreamCommand {
         let part = destination.as_ref().map(Destination::part).transpose()?;
         let part = part.flatten();
         let read = self.sort.files(&self.input, self.strict);
-        refuse_read(&read, destination.iter().chain(&part).chain(&vertices))?;
-        refuse_twice(destination.iter().chain(&part).chain(&vertices))?;
+        let all = || {
+            destination
+                .iter()
+                .chain(&part)
+                .chain(&vertices)
+                .chain(terrain.all())
+        };
+        refuse_read(&read, all())?;
+        refuse_twice(all())?;
         let name = self.input.input_name();
-        let sorted = self.sort.sorted(&self.input, &self.columns, |remarks| {
-            read.say(&name, remarks)
-        })?;
+        let sorted = self
+            .sort
+            .sorted(&self.input, self.choice(format), |remarks| {
+                read.say(&name, remarks)
+            })?;
+        if self.terrain.is_asked() && !sorted.has_heights {
+            return Err(no_heights(&name));
+        }
         let summary = sorted.order.summary();
         if let Some(format) = format {
             format.holds(summary.points)?;
         }
-        let Some((destination, format)) = destination.zip(format) else {
-            let outcome = self.streamed(sorted, None);
-            return self.report(outcome, &summary, "");
+        let kept = match (&part, &destination) {
+            (_, None) => String::new(),
+            (Some(part), _) => format!("; what is final up to there is in {}", part.name.display()),
+            (None, _) => "; what is final up to there is written".to_owned(),
         };
-        let kept = match &part {
-            Some(part) => format!("; what is final up to there is in {}", part.name.display()),
-            None => "; what is final up to there is written".to_owned(),
+        let targets = Targets {
+            triangles: destination.zip(format),
+            vertices,
+            terrain,
         };
-        let outcome = self.written(sorted, (destination, format), vertices)?;
+        let outcome = self.written(sorted, targets, &read)?;
         match writes_standard && outcome.ended.is_ok() {
             true => Ok(()),
             false => self.report(outcome, &summary, &kept),
         }
     }
 
-    /// Takes all vertices in order, and puts what is written in its place, if it may be of use.
-    fn written(
-        &self,
-        sorted: Sorted,
-        (destination, format): (Destination, Format),
-        vertices: Option<Destination>,
-    ) -> Result<Outcome, Failure> {
-        let points = sorted.order.summary().points;
-        let first = match vertices {
-            None => sorted.first_point,
-            Some(_) => 0,
-        };
-        let [mut outputs, mut beside] = [Outputs::default(), Outputs::default()];
-        let mut outcome = None;
-        let whole = |out: &mut Out<'_>, vertices: Option<&mut dyn Write>| {
-            let written = Written {
-                triangles: out,
-                format,
-                first,
-                vertices: vertices.map(|vertices| vertices as &mut dyn Write),
-            };
-            let found = outcome.insert(self.streamed(sorted, Some(written)));
-            match found.is_kept() {
-                true => Ok(found.ended.is_ok()),
-                // The report says why.
-                false => Err(io::Error::other("the stream has failed")),
-            }
-        };
-        let mut of_vertices = Ok(());
-        let of_triangles = match vertices {
-            None => outputs.add_part(destination, |out| whole(out, None)),
-            Some(vertices) => outputs.add_part(destination, |out| {
-                let mut is_whole = false;
-                of_vertices = beside.add_part(vertices, |vertices| {
-                    is_whole = whole(out, Some(vertices))?;
-                    Ok(is_whole)
-                });
-                match of_vertices {
-                    Ok(()) => Ok(is_whole),
-                    Err(_) => Err(io::Error::other("the vertices are not written")),
-                }
-            }),
-        };
-        let written = of_vertices.and(of_triangles);
-        let Some(outcome) = outcome else {
-            written?;
-            unreachable!("what is written comes of a stream");
-        };
-        if outcome.is_kept() {
-            written?;
-            outputs.rewrite_beginning(&format.beginning(points, outcome.written))?;
-            outputs.append(beside);
-            outputs.finish()?;
-        }
-        Ok(outcome)
-    }
-
-    /// Takes all vertices in order, and writes the triangles.
-    fn streamed(&self, mut sorted: Sorted, mut out: Option<Written<'_, '_>>) -> Outcome {
-        let summary = sorted.order.summary();
-        let mut since = Instant::now();
-        let begun = out.as_mut().map_or(Ok(()), |out| {
-            let points = || sorted.points().map_err(Trouble::Order);
-            output::begin(out.triangles, out.format, &summary, points)
-        });
-        let mut written = 0;
-        let ended = begun.and_then(|()| {
-            since = Instant::now();
-            match out {
-                None => self.swept(&mut sorted.order, None, None),
-                Some(out) => self.swept_beside(&mut sorted.order, out, &mut written),
-            }
-        });
-        Outcome {
-            ended: ended.map_err(|trouble| trouble.numbered_from(sorted.first_edge)),
-            sorting: sorted.order.statistics(),
-            sweeping: since.elapsed(),
-            written,
+    /// What is read of the input.
+    fn choice(&self, format: Option<Format>) -> Choice {
+        Choice {
+            columns: self.columns.clone(),
+            classes: self.classes.clone(),
+            heights: self.terrain.is_asked() || format == Some(Format::Ply),
         }
     }
 
-    /// Takes all vertices in order; a thread beside writes the triangles, and `written` says how many.
-    fn swept_beside(
-        &self,
-        order: &mut SweepOrder,
-        out: Written<'_, '_>,
-        written: &mut u64,
-    ) -> Result<StreamStats, Trouble> {
-        let shared = Mutex::new(out.triangles);
-        thread::scope(|scope| {
-            let beside = Beside::new(scope, &shared);
-            let mut triangles = Triangles::new(beside, out.format, out.first);
-            let ended = self.swept(order, Some(&mut triangles), out.vertices);
-            match (ended, triangles.finish()) {
-                // Both would be kept, and are not all written.
-                (Ok(_) | Err(Trouble::Stream(StreamError::TooMuchAlive { .. })), Err(error)) => {
-                    Err(Trouble::Out(error))
-                }
-                (ended, count) => {
-                    *written = count.unwrap_or(0);
-                    ended
-                }
-            }
-        })
-    }
-
+    /// Takes all vertices in order, and passes on what is final.
     fn swept(
         &self,
         order: &mut SweepOrder,
         mut triangles: Option<&mut Triangles<'_, '_, '_>>,
         mut vertices: Option<&mut dyn Write>,
+        terrain: Option<&Passing<'_>>,
     ) -> Result<StreamStats, Trouble> {
         let is_renumbered = vertices.is_some();
+        // The stream then numbers distinct vertices as they come.
+        let is_counted = is_renumbered || terrain.is_some();
         let Summary { points, x, .. } = order.summary();
         let mut progress = Progress::new("sweeping");
         // What the closure meets cannot end the stream from there.
@@ -345,12 +282,19 @@ impl StreamCommand {
             if trouble.is_some() {
                 return;
             }
+            if let Some(Err(error)) = terrain.map(|terrain| terrain.found(&found)) {
+                *trouble = Some(Trouble::Terrain(error));
+            }
             if let Final::Triangle {
                 corners,
                 constrained,
             } = found
             {
-                if let Some(Err(error)) = triangles.as_mut().map(|out| out.write(corners)) {
+                let named = match terrain {
+                    Some(terrain) if !is_renumbered => corners.map(|v| terrain.number(v)),
+                    _ => corners,
+                };
+                if let Some(Err(error)) = triangles.as_mut().map(|out| out.write(named)) {
                     *trouble = Some(Trouble::Out(error));
                 }
                 let mut verifier = verifier.borrow_mut();
@@ -362,7 +306,8 @@ impl StreamCommand {
             }
         };
         // The other half of the memory is for what is merged. Two windows are held whatever the memory.
-        let most = usize::try_from(self.sort.memory() / 2 / BYTES).unwrap_or(usize::MAX);
+        let most = self.sort.memory().saturating_mul(2) / self.bytes();
+        let most = usize::try_from(most).unwrap_or(usize::MAX);
         let window = self.window.map_or(WINDOW, NonZeroUsize::get);
         let most = most.max(window.saturating_mul(2));
         let limit = most / 2;
@@ -380,11 +325,12 @@ impl StreamCommand {
         while let Some(vertex) = order.next_vertex().map_err(Trouble::Order)? {
             let point = vertex.point;
             let known = last.filter(|&(place, _)| is_one_place(place, point));
-            let number = match (is_renumbered, last) {
-                (false, _) => vertex.number,
-                (true, None) => 0,
+            let number = match (terrain, last) {
+                (Some(terrain), _) => terrain.vertex(&vertex, known.map(|(_, before)| before)),
+                (None, _) if !is_renumbered => vertex.number,
+                (None, None) => 0,
                 // Equal points are one vertex.
-                (true, Some((_, before))) => before + u64::from(known.is_none()),
+                (None, Some((_, before))) => before + u64::from(known.is_none()),
             };
             if known.is_none()
                 && let Some(out) = &mut vertices
@@ -393,6 +339,9 @@ impl StreamCommand {
                 out.write_all(bytes.as_flattened()).map_err(Trouble::Out)?;
             }
             stream.push(number, point).map_err(Trouble::Stream)?;
+            if let Some(terrain) = terrain {
+                terrain.forget(&stream);
+            }
             let alive = stream.stats().most_alive.vertices;
             if self.window.is_none() && alive > most_alive && alive > most / (1 + SHARE) {
                 most_alive = alive;
@@ -402,7 +351,7 @@ impl StreamCommand {
             if let Some(verifier) = verifier.borrow_mut().as_mut() {
                 let judged = match known {
                     None => verifier.vertex(number, point),
-                    Some(_) if is_renumbered => Ok(()),
+                    Some(_) if is_counted => Ok(()),
                     Some(_) => verifier.duplicate(number, &point, first),
                 };
                 judged.map_err(Trouble::Violation)?;
@@ -434,97 +383,14 @@ impl StreamCommand {
         Ok(stats)
     }
 
-    /// Prints what has come of it; `kept` says where the triangles are of a stream that keeps too much alive.
-    fn report(&self, outcome: Outcome, summary: &Summary, kept: &str) -> Result<(), Failure> {
-        let input = self.input.input_name();
-        let stats = match outcome.ended {
-            Ok(stats) => stats,
-            Err(Trouble::Order(error)) => return Err(self.sort.failure(&error)),
-            Err(Trouble::Stream(error)) => {
-                let advice = match error {
-                    StreamError::TooMuchAlive { alive, .. } => {
-                        let bytes = (alive.vertices as u64).saturating_mul(4 * BYTES);
-                        format!(" (--memory {}MiB allows so many)", bytes.div_ceil(1 << 20))
-                    }
-                    StreamError::CrossingEdges { .. } => {
-                        " (where memory holds them, `sweep-cdt crossings` lists all that do)"
-                            .to_owned()
-                    }
-                    _ => String::new(),
-                };
-                let kept = match error {
-                    StreamError::TooMuchAlive { .. } => kept,
-                    _ => "",
-                };
-                return Err(Failure::Error(format!("{input}: {error}{advice}{kept}")));
-            }
-            Err(Trouble::Violation(violation)) => {
-                return Err(Failure::Error(format!(
-                    "{input}: a bug of sweep-cdt: {violation}"
-                )));
-            }
-            // A reader that has closed its end of the pipe has what it needs.
-            Err(Trouble::Out(error)) if error.kind() == io::ErrorKind::BrokenPipe => return Ok(()),
-            Err(Trouble::Out(error)) => {
-                let name = self.output.as_ref().and_then(FileArgument::path);
-                let name = name.unwrap_or("standard output".as_ref());
-                return Err(Failure::of_file(name, &error));
-            }
-        };
-        let is_asked = self.stats || self.output.is_none();
-        print(|out| {
-            if is_asked {
-                write_table(&stats, &outcome.sorting, outcome.sweeping, summary, out)?;
-            }
-            if self.check {
-                let what = Level::Canonical.title();
-                writeln!(out, "correct: the result is {what} of {input}")?;
-            }
-            Ok(())
-        })
+    /// How many bytes of memory there must be for each vertex that is alive. With a terrain lines and rows have a quarter of
+    /// it, since they grow twofold.
+    fn bytes(&self) -> u64 {
+        match self.terrain.is_asked() {
+            false => 4 * BYTES,
+            true => 8 * (BYTES + Terrain::BYTES),
+        }
     }
-}
-
-/// Writes counts, times and bytes.
-fn write_table(
-    stats: &StreamStats,
-    sorting: &Statistics,
-    sweeping: Duration,
-    summary: &Summary,
-    out: &mut impl Write,
-) -> io::Result<()> {
-    let alive = stats.most_alive;
-    let seconds = |time: Duration| format!("{:.2} s", time.as_secs_f64());
-    let rows = [
-        ("points", summary.points.to_string()),
-        ("edges", summary.edges.to_string()),
-        ("triangles", stats.triangles.to_string()),
-        ("sides of the hull", stats.hull_sides.to_string()),
-        ("equal points", stats.duplicates.to_string()),
-        ("windows", stats.windows.to_string()),
-        ("vertices alive at most", alive.vertices.to_string()),
-        (
-            "  triangles waiting for the line",
-            alive.circles.to_string(),
-        ),
-        ("  triangles waiting for edges", alive.edges.to_string()),
-        ("  sides of the hull waiting", alive.hull_sides.to_string()),
-        ("runs sorted", sorting.runs.to_string()),
-        ("bytes of temporary files", sorting.written.to_string()),
-        (
-            "time of sorting",
-            seconds(sorting.reading + sorting.joining),
-        ),
-        (
-            "time of merging, beside the sweep",
-            seconds(sorting.merging),
-        ),
-        ("time of sweeping", seconds(sweeping)),
-    ];
-    for (name, value) in rows {
-        writeln!(out, "{name:<34} {value:>14}")?;
-    }
-    Ok(())
 }
 
 fn to_usize(count: u64) -> usize {

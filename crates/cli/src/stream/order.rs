@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use bytesize::ByteSize;
 use sweep_cdt_engine::Remark;
 use sweep_cdt_stream::external::{
-    Error, FORMATS, Format, Input, Sorting, SweepOrder, open_columns,
+    Choice, Error, FORMATS, Format, Input, Sorting, SweepOrder, open_chosen,
 };
 
 use crate::shared::failure::Failure;
@@ -42,15 +42,17 @@ pub(super) struct Sorted {
     /// The number of the first point in the file, and of the first edge.
     pub(super) first_point: u64,
     pub(super) first_edge: u64,
+    /// Whether the vertices come with heights.
+    pub(super) has_heights: bool,
     path: PathBuf,
     format: Format,
-    columns: Vec<String>,
+    choice: Choice,
 }
 
 impl Sorted {
     /// The points once more, as the input has them.
     pub(super) fn points(&self) -> Result<Box<dyn Input>, Error> {
-        let opened = open_columns(&self.path, self.format, None, &self.columns);
+        let opened = open_chosen(&self.path, self.format, None, &self.choice);
         Ok(opened?)
     }
 }
@@ -58,6 +60,12 @@ impl Sorted {
 impl SortArgs {
     pub(crate) fn memory(&self) -> u64 {
         self.memory.unwrap_or(MEMORY).as_u64()
+    }
+
+    /// The folder for temporary files.
+    pub(super) fn folder(&self) -> PathBuf {
+        let folder = self.temporary.clone();
+        folder.unwrap_or_else(std::env::temp_dir)
     }
 
     /// Refuses these options where the run is none that `option` asks for.
@@ -86,12 +94,12 @@ impl SortArgs {
         files
     }
 
-    /// The input, of which these columns were chosen, sorted. `say` gets what is left out of it before.
+    /// The input, of which this was chosen, sorted. `say` gets what is left out of it before, and what is known after that.
     pub(super) fn sorted(
         &self,
         input: &FileArgument,
-        columns: &[String],
-        say: impl FnOnce(&[Remark]) -> Result<(), Failure>,
+        choice: Choice,
+        say: impl Fn(&[Remark]) -> Result<(), Failure>,
     ) -> Result<Sorted, Failure> {
         let Some(path) = input.path() else {
             let message =
@@ -99,18 +107,23 @@ impl SortArgs {
             return Err(Failure::Usage(message.to_owned()));
         };
         let format = format_of_input(input, "--stream-format", self.stream_format, FORMATS)?;
-        let folder = self.temporary.clone().unwrap_or_else(std::env::temp_dir);
-        let mut opened = open_columns(path, format, self.edges.as_deref(), columns)?;
-        say(&opened.remarks())?;
-        let order = self.order(&mut *opened, &folder);
+        let mut opened = open_chosen(path, format, self.edges.as_deref(), &choice)?;
+        let said = opened.remarks();
+        say(&said)?;
+        let order = self.order(&mut *opened, &self.folder());
+        let order = order.map_err(|error| self.failure(&error))?;
+        let mut remarks = opened.remarks();
+        remarks.retain(|remark| !said.contains(remark));
+        say(&remarks)?;
         let [first_point, first_edge] = opened.first();
         Ok(Sorted {
-            order: order.map_err(|error| self.failure(&error))?,
+            order,
             first_point,
             first_edge,
+            has_heights: opened.heights().is_some(),
             path: path.to_owned(),
             format,
-            columns: columns.to_vec(),
+            choice,
         })
     }
 

@@ -108,7 +108,7 @@ pub(super) fn begin(
     }
 }
 
-/// Writes all points as the input has them, but for their heights.
+/// Writes all points as the input has them.
 fn write_points(out: &mut Out<'_>, input: &mut dyn Input, points: u64) -> Result<(), Trouble> {
     let mut progress = Progress::new("writing points");
     // A height that is left out is none, and not 0.
@@ -123,7 +123,9 @@ fn write_points(out: &mut Out<'_>, input: &mut dyn Input, points: u64) -> Result
         if some.is_empty() {
             break;
         }
-        for &[x, y] in &some {
+        let heights = input.heights().unwrap_or_default();
+        for (at, &[x, y]) in some.iter().enumerate() {
+            let z = heights.get(at).copied().unwrap_or(z);
             let bytes = [x, y, z].map(f64::to_le_bytes);
             out.write_all(bytes.as_flattened()).map_err(Trouble::Out)?;
         }

@@ -3,7 +3,7 @@
 use std::io::Write;
 
 use sweep_cdt::verify::Level;
-use sweep_cdt_stream::external::SweepOrder;
+use sweep_cdt_stream::external::{Choice, SweepOrder};
 use sweep_cdt_stream::{StreamReport, StreamVerifier, StreamViolation};
 
 use super::numbers::Triangles;
@@ -53,7 +53,11 @@ pub(crate) fn verify_stream(
         return Err(Failure::Usage(message.to_owned()));
     };
     let triangles = Triangles::open(path)?;
-    let Sorted { order, .. } = sort.sorted(input, columns, |_| Ok(()))?;
+    let choice = Choice {
+        columns: columns.to_vec(),
+        ..Choice::default()
+    };
+    let Sorted { order, .. } = sort.sorted(input, choice, |_| Ok(()))?;
     let (what, all) = (level.title(), triangles.left());
     let [input, result] = [input, result].map(FileArgument::input_name);
     match judged(sort, order, triangles, level) {

@@ -34,6 +34,7 @@ mod stream;
 mod stream_memory;
 mod stream_outputs;
 mod stream_refused;
+mod stream_terrain;
 mod stream_verify;
 mod terrain;
 mod texts;

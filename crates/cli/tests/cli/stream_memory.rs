@@ -101,6 +101,18 @@ fn memory_is_a_bound_for_points() {
     assert_bounded(&folder, "long.csv", &[1]);
 }
 
+#[test]
+fn memory_is_a_bound_for_terrain() {
+    let folder = folder(&[]);
+    let mut rows = "x,y,z\n".to_owned();
+    for [x, y] in Input::generated("uniform", 200_000, 1).points {
+        writeln!(rows, "{x},{y},{}", (x + y) * 1e3).expect("room");
+    }
+    fs::write(folder.path().join("p.csv"), rows).expect("a file");
+    let terrain = "p.csv --contours a.wkt --every 0.5 --raster a.asc --cell 0.001";
+    assert_bounded(&folder, terrain, &[2, 16]);
+}
+
 /// A cloud of a laser scanner, in its simplest version.
 #[cfg(feature = "las")]
 #[test]

@@ -33,15 +33,16 @@ pub fn write_lines(
     system: Option<&CoordinateSystem>,
     out: &mut impl Write,
 ) -> io::Result<()> {
-    match format {
-        Format::Geojson => write_geojson(lines, system, out),
-        Format::Wkt => write_wkt(lines, system, out),
-        _ => {
-            let mut file = graph(lines);
-            file.system = system.cloned();
-            write_graph(format, &file, out)
-        }
+    if !Format::LINES.contains(&format) {
+        let mut file = graph(lines);
+        file.system = system.cloned();
+        return write_graph(format, &file, out);
     }
+    let mut writer = LineWriter::begin(format, system, out)?;
+    for (height, points) in lines {
+        writer.line(*height, points)?;
+    }
+    writer.finish()
 }
 
 /// The lines as vertices and edges.
@@ -64,50 +65,91 @@ fn graph(lines: &[(f64, Vec<[f64; 2]>)]) -> GraphFile<f64> {
     }
 }
 
-/// Writes a feature for each line.
-fn write_geojson(
-    lines: &[(f64, Vec<[f64; 2]>)],
-    system: Option<&CoordinateSystem>,
-    out: &mut impl Write,
-) -> io::Result<()> {
-    write_system(r#"{"type":"FeatureCollection","#, system, out)?;
-    out.write_all(br#""features":["#)?;
-    for (at, (height, points)) in lines.iter().enumerate() {
-        let height = height.text();
-        let comma = if at == 0 { "" } else { "," };
-        write!(
-            out,
-            "{comma}\n{{\"type\":\"Feature\",\"properties\":{{\"elev\":{height}}},\
-             \"geometry\":{{\"type\":\"LineString\",\"coordinates\":["
-        )?;
-        for (at, [x, y]) in points.iter().enumerate() {
-            let comma = if at == 0 { "" } else { "," };
-            write!(out, "{comma}[{},{},{height}]", x.text(), y.text())?;
-        }
-        out.write_all(b"]}}")?;
-    }
-    out.write_all(b"]}\n")
+/// Writes lines one by one, as [`write_lines`] does.
+///
+/// ```
+/// use sweep_cdt_formats::{Format, LineWriter};
+///
+/// let mut text = Vec::new();
+/// let mut lines = LineWriter::begin(Format::Wkt, None, &mut text)?;
+/// lines.line(7.5, &[[0.0, 0.0], [1.0, 0.0]])?;
+/// lines.finish()?;
+/// assert_eq!(text, b"MULTILINESTRING Z (\n(0 0 7.5,1 0 7.5))\n");
+/// # Ok::<(), std::io::Error>(())
+/// ```
+#[derive(Debug)]
+pub struct LineWriter<W> {
+    out: W,
+    is_map: bool,
+    has_lines: bool,
 }
 
-/// Writes a collection of lines.
-fn write_wkt(
-    lines: &[(f64, Vec<[f64; 2]>)],
-    system: Option<&CoordinateSystem>,
-    out: &mut impl Write,
-) -> io::Result<()> {
-    write_srid(system, out)?;
-    if lines.is_empty() {
-        return out.write_all(b"MULTILINESTRING Z EMPTY\n");
+impl<W: Write> LineWriter<W> {
+    /// Begins a file in one of [`Format::LINES`] with this coordinate system.
+    ///
+    /// # Errors
+    /// Errors of `out`; [`io::ErrorKind::Unsupported`] for another format.
+    pub fn begin(
+        format: Format,
+        system: Option<&CoordinateSystem>,
+        mut out: W,
+    ) -> io::Result<Self> {
+        match format {
+            Format::Geojson => {
+                write_system(r#"{"type":"FeatureCollection","#, system, &mut out)?;
+                out.write_all(br#""features":["#)?;
+            }
+            Format::Wkt => write_srid(system, &mut out)?,
+            _ => return Err(io::ErrorKind::Unsupported.into()),
+        }
+        Ok(LineWriter {
+            out,
+            is_map: format == Format::Geojson,
+            has_lines: false,
+        })
     }
-    out.write_all(b"MULTILINESTRING Z (")?;
-    for (at, (height, points)) in lines.iter().enumerate() {
+
+    /// The next line, a feature or a part of the collection.
+    ///
+    /// # Errors
+    /// Errors of `out`.
+    pub fn line(&mut self, height: f64, points: &[[f64; 2]]) -> io::Result<()> {
+        let is_first = !std::mem::replace(&mut self.has_lines, true);
         let height = height.text();
-        out.write_all(if at == 0 { b"\n(" } else { b",\n(" })?;
+        let begin = match (is_first, self.is_map) {
+            (true, true) => "",
+            (true, false) => "MULTILINESTRING Z (",
+            _ => ",",
+        };
+        let out = &mut self.out;
+        match self.is_map {
+            true => write!(
+                out,
+                "{begin}\n{{\"type\":\"Feature\",\"properties\":{{\"elev\":{height}}},\
+                 \"geometry\":{{\"type\":\"LineString\",\"coordinates\":["
+            )?,
+            false => write!(out, "{begin}\n(")?,
+        }
         for (at, [x, y]) in points.iter().enumerate() {
             let comma = if at == 0 { "" } else { "," };
-            write!(out, "{comma}{} {} {height}", x.text(), y.text())?;
+            let [x, y] = [x.text(), y.text()];
+            match self.is_map {
+                true => write!(out, "{comma}[{x},{y},{height}]")?,
+                false => write!(out, "{comma}{x} {y} {height}")?,
+            }
         }
-        out.write_all(b")")?;
+        out.write_all(if self.is_map { b"]}}" } else { b")" })
     }
-    out.write_all(b")\n")
+
+    /// Ends the file.
+    ///
+    /// # Errors
+    /// Errors of `out`.
+    pub fn finish(mut self) -> io::Result<()> {
+        self.out.write_all(match (self.is_map, self.has_lines) {
+            (true, _) => b"]}\n",
+            (false, true) => b")\n",
+            (false, false) => b"MULTILINESTRING Z EMPTY\n",
+        })
+    }
 }

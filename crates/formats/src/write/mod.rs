@@ -14,6 +14,7 @@ mod mesh;
 mod mesh_formats;
 mod numpy;
 mod points;
+mod raster;
 mod rows;
 mod shapes;
 mod violations;
@@ -26,8 +27,11 @@ pub use certificate::write_certificate;
 pub use crossings::write_crossings;
 pub use json::json_coordinate;
 pub use labels::edges_along;
-pub use lines::write_lines;
+pub use lines::{LineWriter, write_lines};
 pub use losses::not_written;
+#[cfg(feature = "geotiff")]
+pub use raster::write_geotiff;
+pub use raster::{RasterHead, write_asc};
 pub use rows::write_node;
 pub use violations::write_violations;
 

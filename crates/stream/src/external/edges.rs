@@ -18,16 +18,16 @@ use std::path::Path;
 use crate::external::error::Error;
 use crate::external::input::Input;
 use crate::external::memory::Account;
-use crate::external::record::{Edge, Point, array};
+use crate::external::record::{Edge, Located, array};
 use crate::external::runs::{PIECE, Run};
 use crate::external::sorter::{Runs, Sorted, reserve};
 use crate::external::summary::Summary;
 use crate::external::temporary::Temporary;
 
 /// What there is to join.
-pub(crate) struct Task<'a, 'i> {
+pub(crate) struct Task<'a, 'i, P> {
     pub(crate) input: &'a mut (dyn Input + 'i),
-    pub(crate) points: Sorted<Point>,
+    pub(crate) points: Sorted<P>,
     pub(crate) account: Account,
     pub(crate) folder: &'a Path,
     pub(crate) summary: &'a mut Summary,
@@ -35,15 +35,15 @@ pub(crate) struct Task<'a, 'i> {
 }
 
 /// Points as they were, and edges sorted by their lower ends.
-pub(crate) struct Joined {
-    pub(crate) points: Sorted<Point>,
+pub(crate) struct Joined<P> {
+    pub(crate) points: Sorted<P>,
     pub(crate) edges: Sorted<Edge>,
     /// The bytes that were written beside the sorting, and read.
     pub(crate) moved: [u64; 2],
 }
 
 /// Reads the edges and joins them to their ends.
-pub(crate) fn join(task: Task<'_, '_>) -> Result<Joined, Error> {
+pub(crate) fn join<P: Located>(task: Task<'_, '_, P>) -> Result<Joined<P>, Error> {
     let Task {
         input,
         mut points,
@@ -53,7 +53,7 @@ pub(crate) fn join(task: Task<'_, '_>) -> Result<Joined, Error> {
         progress,
     } = task;
     // Every run but the last has as many points.
-    let capacity = account.run::<Point>();
+    let capacity = account.run::<P>();
     let mut ready = Ready::new(account, folder);
     let mut waiting = Buckets::new(points.runs(), account, folder);
     let mut half_done = Buckets::new(points.runs(), account, folder);
@@ -109,7 +109,7 @@ pub(crate) fn join(task: Task<'_, '_>) -> Result<Joined, Error> {
     let mut read = 0;
     if let Sorted::Disk { file, runs } = &mut points {
         let mut bytes = Vec::new();
-        let mut list: Vec<Point> = Vec::new();
+        let mut list: Vec<P> = Vec::new();
         for (at, &run) in runs.iter().enumerate() {
             if waiting.is_empty(at) && half_done.is_empty(at) {
                 continue;
@@ -145,29 +145,29 @@ pub(crate) fn join(task: Task<'_, '_>) -> Result<Joined, Error> {
 }
 
 /// Loads the places of a run by number.
-fn load(
+fn load<P: Located>(
     mut run: Run,
     file: &mut Temporary,
     bytes: &mut Vec<u8>,
-    list: &mut Vec<Point>,
+    list: &mut Vec<P>,
     places: &mut Vec<[f64; 2]>,
 ) -> Result<(), Error> {
     let (first, count) = (run.first, run.left);
     places.clear();
-    by_number(&[], first, count, places)?;
+    by_number::<P>(&[], first, count, places)?;
     while run.left > 0 {
         list.clear();
-        run.read(PIECE / size_of::<Point>(), file, bytes, list)?;
+        run.read(PIECE / size_of::<P>(), file, bytes, list)?;
         for point in &*list {
-            places[index(point.number - first)] = [point.x, point.y];
+            places[index(point.number() - first)] = [point.x(), point.y()];
         }
     }
     Ok(())
 }
 
 /// Makes room for so many places, and fills in those of a list.
-fn by_number(
-    list: &[Point],
+fn by_number<P: Located>(
+    list: &[P],
     first: u64,
     count: usize,
     places: &mut Vec<[f64; 2]>,
@@ -175,7 +175,7 @@ fn by_number(
     reserve(places, count, count)?;
     places.resize(count, [0.0; 2]);
     for point in list {
-        places[index(point.number - first)] = [point.x, point.y];
+        places[index(point.number() - first)] = [point.x(), point.y()];
     }
     Ok(())
 }

@@ -13,7 +13,7 @@
 //! files, blocks of an input and stacks have constant sizes, and are not in the account; nor are the edges of one vertex,
 //! which are in memory together.
 
-use crate::external::record::{Edge, Point, Record};
+use crate::external::record::{Edge, Record};
 
 /// No block of a run that is merged has fewer records.
 const SHORTEST: usize = 16;
@@ -62,13 +62,13 @@ impl Account {
         usize::try_from(self.0 / 8192).map_or(BATCH, |most| most.clamp(1, BATCH))
     }
 
-    /// The least memory that suffices for so many points and edges, in whole KiB.
-    pub(crate) fn needed(points: u64, edges: u64) -> u64 {
+    /// The least memory that suffices for so many points of a kind, and edges, in whole KiB.
+    pub(crate) fn needed<P: Record>(points: u64, edges: u64) -> u64 {
         let (mut less, mut enough) = (0, 1 << 50);
         while enough - less > 1 {
             let middle = less + (enough - less) / 2;
             let account = Account(middle << 10);
-            if account.suffices::<Point>(points) && account.suffices::<Edge>(edges) {
+            if account.suffices::<P>(points) && account.suffices::<Edge>(edges) {
                 enough = middle;
             } else {
                 less = middle;

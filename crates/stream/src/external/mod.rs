@@ -33,7 +33,7 @@
 //! **Why it is right.** Coordinates are finite doubles, -0.0 is 0.0, and the number decides between equal places: so there
 //! is one order, and it depends neither on the memory nor on the threads.
 //!
-//! **Cost.** A point takes 20 bytes of disk, and is written and read once; where there are edges it is read twice. An edge
+//! **Cost.** A point takes 20 bytes of disk, 28 with a height, and is written and read once; where there are edges it is read twice. An edge
 //! takes up to 96. Time is linear, for points that are spread over the plane, also in clusters and in rows. The memory is a
 //! bound for what is sorted and buffered (`memory.rs`), half of which is free while the order is taken. What is needed grows
 //! with the square root of the input: 64 MB suffice for 10^10 points or 10^9 edges, 256 MB for 16 times as many. More
@@ -62,7 +62,7 @@ mod temporary;
 
 pub use bands::Bands;
 pub use error::Error;
-pub use input::{FORMATS, Input, open, open_columns};
+pub use input::{Choice, FORMATS, Input, open, open_chosen};
 pub use order::{SweepOrder, Vertex};
 pub use prepare::Sorting;
 pub use summary::{Statistics, Summary};

@@ -15,6 +15,8 @@ pub struct Vertex<'a> {
     pub number: u64,
     /// The x and y of the vertex.
     pub point: [f64; 2],
+    /// Its height, where the input gives heights and it has one. Equal points may have several.
+    pub height: Option<f64>,
     /// The edges whose lower end it is, in the order of their numbers: the number of each in the input, from 0, and its
     /// upper end. Of equal points the first one has them.
     pub upper: &'a [(u64, [f64; 2])],
@@ -168,6 +170,7 @@ impl SweepOrder {
         let Some(&Point { y, x, number }) = self.batch.points.get(at) else {
             return Ok(None);
         };
+        let height = self.batch.heights.get(at).copied();
         self.at[0] += 1;
         let mut upper: &[(u64, [f64; 2])] = &[];
         if let Some(&(index, end)) = self.batch.ends.get(pair)
@@ -179,6 +182,7 @@ impl SweepOrder {
         Ok(Some(Vertex {
             number,
             point: [x, y],
+            height: height.filter(|height| !height.is_nan()),
             upper,
         }))
     }

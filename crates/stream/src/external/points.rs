@@ -9,31 +9,31 @@ use sweep_cdt::threads::beside;
 use crate::external::error::Error;
 use crate::external::input::Input;
 use crate::external::memory::Account;
-use crate::external::record::Point;
+use crate::external::record::{Located, Point, Record};
 use crate::external::sorter::{Runs, Sorted, reserve};
 use crate::external::summary::Summary;
 
 /// The points, sorted.
-pub(crate) struct Points {
-    pub(crate) sorted: Sorted<Point>,
+pub(crate) struct Points<P> {
+    pub(crate) sorted: Sorted<P>,
     pub(crate) summary: Summary,
 }
 
 /// Reads the points and sorts them in runs.
-pub(crate) fn sort(
+pub(crate) fn sort<P: Located>(
     input: &mut (dyn Input + '_),
     account: Account,
     folder: &Path,
     progress: &mut dyn FnMut(u64, u64),
-) -> Result<Points, Error> {
-    let capacity = account.run::<Point>();
+) -> Result<Points<P>, Error> {
+    let capacity = account.run::<P>();
     let mut runs = Runs::new(account, folder);
     let mut filler = Filler::new(capacity);
-    let (mut filled, mut full) = (Vec::new(), Vec::new());
+    let (mut filled, mut full): (Vec<P>, Vec<P>) = (Vec::new(), Vec::new());
     filler.fill(input, &mut filled, progress)?;
     while filled.len() == capacity && !filler.is_at_end {
         std::mem::swap(&mut filled, &mut full);
-        let first = full[0].number;
+        let first = full[0].number();
         let (mut read, mut written) = (Ok(()), Ok(()));
         beside(
             &mut || read = filler.fill(input, &mut filled, progress),
@@ -43,7 +43,7 @@ pub(crate) fn sort(
         written?;
     }
     drop(full);
-    let first = filled.first().map_or(0, |point| point.number);
+    let first = filled.first().map_or(0, Record::number);
     Ok(Points {
         sorted: runs.finish(filled, first)?,
         summary: filler.summary,
@@ -73,38 +73,46 @@ impl Filler {
                 edges_without_length: 0,
                 x: [f64::INFINITY, f64::NEG_INFINITY],
                 y: [f64::INFINITY, f64::NEG_INFINITY],
+                height: [f64::INFINITY, f64::NEG_INFINITY],
             },
         }
     }
 
     /// Puts the next points in the place of others, as many as a run has.
-    fn fill(
+    fn fill<P: Located>(
         &mut self,
         input: &mut (dyn Input + '_),
-        points: &mut Vec<Point>,
+        points: &mut Vec<P>,
         progress: &mut dyn FnMut(u64, u64),
     ) -> Result<(), Error> {
         points.clear();
         loop {
             let room = self.capacity - points.len();
-            let block = &self.block[self.at..];
+            let begin = self.at;
+            let block = &self.block[begin..];
             let block = &block[..block.len().min(room)];
             self.at += block.len();
             reserve(points, block.len(), self.capacity)?;
-            for &[x, y] in block {
+            // One for each point of the block, or none.
+            let heights = input.heights().unwrap_or_default();
+            for (at, &[x, y]) in (begin..).zip(block) {
                 // -0.0 + 0.0 is 0.0, and all else stays as it is.
                 let (x, y) = (x + 0.0, y + 0.0);
-                if !(x.is_finite() && y.is_finite()) {
+                // A height that is missing is NaN.
+                let height = heights.get(at).copied().unwrap_or(f64::NAN);
+                if !(x.is_finite() && y.is_finite()) || height.is_infinite() {
                     return Err(Error::NonFinite {
                         file: input.name().to_owned(),
                         point: self.summary.points + input.first()[0],
                     });
                 }
                 let number = self.summary.points;
-                points.push(Point { y, x, number });
+                let point = P::new(Point { y, x, number }, height);
+                points.push(point);
                 self.summary.points += 1;
                 widen(&mut self.summary.x, x);
                 widen(&mut self.summary.y, y);
+                widen(&mut self.summary.height, point.height());
             }
             if self.at < self.block.len() {
                 return Ok(());
@@ -122,6 +130,7 @@ impl Filler {
     }
 }
 
+/// Makes an interval hold a value; NaN is none.
 fn widen(interval: &mut [f64; 2], value: f64) {
     interval[0] = interval[0].min(value);
     interval[1] = interval[1].max(value);

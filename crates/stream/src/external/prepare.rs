@@ -5,13 +5,15 @@ use std::time::Instant;
 
 use sweep_cdt_formats::ReadError;
 
-use crate::external::batch::Maker;
+use crate::external::batch::{Maker, PointBatches};
 use crate::external::edges::{self, Joined};
 use crate::external::error::Error;
 use crate::external::input::Input;
 use crate::external::memory::Account;
 use crate::external::order::SweepOrder;
 use crate::external::points::{self, Points};
+use crate::external::record::{Located, Point, Raised};
+use crate::external::sorter::Batches;
 use crate::external::summary::Statistics;
 
 /// How points and edges are sorted.
@@ -49,17 +51,31 @@ impl Sorting {
         input: &mut (dyn Input + '_),
         progress: &mut dyn FnMut(u64, u64),
     ) -> Result<SweepOrder, Error> {
+        match input.heights() {
+            None => self.sort_records::<Point>(input, progress),
+            Some(_) => self.sort_records::<Raised>(input, progress),
+        }
+    }
+
+    fn sort_records<P: Located>(
+        &self,
+        input: &mut (dyn Input + '_),
+        progress: &mut dyn FnMut(u64, u64),
+    ) -> Result<SweepOrder, Error>
+    where
+        PointBatches: From<Batches<P>>,
+    {
         let mut counted = Counted {
             input,
             points: 0,
             edges: 0,
         };
-        self.sorted(&mut counted, progress)
+        self.sorted::<P>(&mut counted, progress)
             .map_err(|error| match error {
                 Error::TooLittleMemory { memory, .. } => match counted.rest() {
                     Ok([points, edges]) => Error::TooLittleMemory {
                         memory,
-                        needed: Account::needed(points, edges),
+                        needed: Account::needed::<P>(points, edges),
                     },
                     Err(error) => error.into(),
                 },
@@ -67,17 +83,20 @@ impl Sorting {
             })
     }
 
-    fn sorted(
+    fn sorted<P: Located>(
         &self,
         input: &mut Counted<'_, '_>,
         progress: &mut dyn FnMut(u64, u64),
-    ) -> Result<SweepOrder, Error> {
+    ) -> Result<SweepOrder, Error>
+    where
+        PointBatches: From<Batches<P>>,
+    {
         let account = Account(self.memory);
         let since = Instant::now();
         let Points {
             sorted,
             mut summary,
-        } = points::sort(input, account, &self.folder, progress)?;
+        } = points::sort::<P>(input, account, &self.folder, progress)?;
         let mut statistics = Statistics {
             runs: sorted.runs(),
             reading: since.elapsed(),
@@ -149,6 +168,10 @@ impl Input for Counted<'_, '_> {
         self.input.next_points(points)?;
         self.points += (points.len() - before) as u64;
         Ok(())
+    }
+
+    fn heights(&self) -> Option<&[f64]> {
+        self.input.heights()
     }
 
     fn next_edges(&mut self, edges: &mut Vec<[u64; 2]>) -> Result<(), ReadError> {

@@ -5,7 +5,7 @@
 //! records are equal.
 //!
 //! On disk a point takes 20 bytes: a run of points holds consecutive ones, so that four bytes tell how far the number is
-//! from the first of them. An edge takes 40.
+//! from the first of them. Its height takes 8 more, where there are heights. An edge takes 40.
 
 use std::cmp::Ordering;
 
@@ -81,6 +81,82 @@ impl Record for Point {
             x: f64::from_le_bytes(array(bytes, 8)),
             number: first + u64::from(u32::from_le_bytes(array(bytes, 16))),
         }
+    }
+}
+
+/// A record that is a point, with a height or without.
+pub(crate) trait Located: Record {
+    /// The record of a point, with this height if it has room for one.
+    fn new(point: Point, height: f64) -> Self;
+
+    /// The point.
+    fn point(&self) -> Point;
+
+    /// The height, NaN where there is none.
+    fn height(&self) -> f64;
+}
+
+impl Located for Point {
+    fn new(point: Point, _height: f64) -> Point {
+        point
+    }
+
+    fn point(&self) -> Point {
+        *self
+    }
+
+    fn height(&self) -> f64 {
+        f64::NAN
+    }
+}
+
+/// A point with its height.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Raised {
+    point: Point,
+    height: f64,
+}
+
+impl Record for Raised {
+    const BYTES: usize = Point::BYTES + 8;
+    const PARTS: usize = Point::PARTS;
+
+    fn y(&self) -> f64 {
+        self.point.y
+    }
+
+    fn x(&self) -> f64 {
+        self.point.x
+    }
+
+    fn number(&self) -> u64 {
+        self.point.number
+    }
+
+    fn write(&self, first: u64, bytes: &mut [u8]) {
+        self.point.write(first, bytes);
+        bytes[Point::BYTES..Raised::BYTES].copy_from_slice(&self.height.to_le_bytes());
+    }
+
+    fn read(first: u64, bytes: &[u8]) -> Raised {
+        Raised {
+            point: Point::read(first, bytes),
+            height: f64::from_le_bytes(array(bytes, Point::BYTES)),
+        }
+    }
+}
+
+impl Located for Raised {
+    fn new(point: Point, height: f64) -> Raised {
+        Raised { point, height }
+    }
+
+    fn point(&self) -> Point {
+        self.point
+    }
+
+    fn height(&self) -> f64 {
+        self.height
     }
 }
 

@@ -16,6 +16,8 @@ pub struct Summary {
     pub x: [f64; 2],
     /// The least and the greatest y, likewise.
     pub y: [f64; 2],
+    /// The lowest and the highest height that the vertices come with, likewise.
+    pub height: [f64; 2],
 }
 
 /// What sorting cost.

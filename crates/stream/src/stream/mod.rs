@@ -33,6 +33,7 @@
 //! everything alive (one circle, a comb), windows grow with it, twofold each time, so that the time stays that of the
 //! sweep.
 
+mod carried;
 mod corridor;
 mod error;
 mod finality;
@@ -46,6 +47,7 @@ mod window;
 use std::fmt;
 use std::mem;
 
+pub use carried::Carried;
 pub use error::StreamError;
 pub use rest::{Cut, Rest};
 pub use rest_file::RestError;
@@ -289,6 +291,12 @@ impl<'a, S: Scalar + Clone, O: FnMut(Final)> Stream<'a, S, O> {
     /// What has come and gone so far, and what is alive.
     pub fn stats(&self) -> &StreamStats {
         &self.stats
+    }
+
+    /// The numbers of the vertices that what is to come may name: those that are alive, and those that have come since the
+    /// last window, in any order.
+    pub fn vertices(&self) -> &[u64] {
+        self.window.numbers()
     }
 
     /// Triangulates the window, and passes on what is final now that `next` is the next vertex.

@@ -4,10 +4,27 @@ use std::fs;
 use std::io::Cursor;
 use std::path::Path;
 
+use las::point::Classification;
 use las::{Builder, Point, Transform, Vlr, Writer};
-use sweep_cdt_stream::external::{Format, Sorting, open};
+use sweep_cdt_formats::Remark;
+use sweep_cdt_stream::external::{Choice, Format, Sorting, open, open_chosen};
 
+use crate::formats::check_heights;
 use crate::{Random, expected, take};
+
+/// The height of a point of a cloud: a whole number of halves.
+fn height(x: f64, y: f64) -> f64 {
+    (x + 2.0 * y).floor() / 2.0
+}
+
+/// The class of a point of a cloud: few are of class 6, and only at the far end of x.
+fn class(x: f64) -> u8 {
+    match x {
+        ..300.0 => 2,
+        300.0..1099.9 => 9,
+        _ => 6,
+    }
+}
 
 /// Writes a cloud, and returns its points: whole numbers of millimetres.
 fn write(path: &Path, is_packed: bool) -> Vec<[f64; 2]> {
@@ -27,6 +44,10 @@ fn write_version(path: &Path, is_packed: bool, version: (u8, u8)) -> Vec<[f64; 2
     };
     builder.transforms.x = millimetres;
     builder.transforms.y = millimetres;
+    builder.transforms.z = Transform {
+        scale: 0.5,
+        offset: 0.0,
+    };
     let header = builder.into_header().expect("a header");
     let mut writer = Writer::from_path(path, header).expect("a file");
     let mut random = Random(71);
@@ -36,6 +57,8 @@ fn write_version(path: &Path, is_packed: bool, version: (u8, u8)) -> Vec<[f64; 2
         let point = Point {
             x,
             y,
+            z: height(x, y),
+            classification: Classification::new(class(x)).expect("a class"),
             gps_time: (version == (1, 4)).then_some(0.0),
             ..Point::default()
         };
@@ -93,7 +116,48 @@ fn clouds_are_read() {
         let order = Sorting::new(3_000_000, folder.path()).sort(&mut *input);
         let vertices = take(order.expect("no fault")).expect("no fault");
         assert!(vertices == expected(&points, &[]).0, "{name}");
+        let heights: Vec<f64> = points.iter().map(|&[x, y]| height(x, y)).collect();
+        check_heights(&path, format, Some(&heights));
     }
+}
+
+#[test]
+fn classes_are_chosen() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for (name, format) in [("a.las", Format::Las), ("a.laz", Format::Laz)] {
+        let path = folder.path().join(name);
+        let points = write(&path, format == Format::Laz);
+        for classes in [&[2][..], &[6, 2], &[6], &[7]] {
+            let choice = Choice {
+                classes: classes.to_vec(),
+                heights: true,
+                ..Choice::default()
+            };
+            let mut input = open_chosen(&path, format, None, &choice).expect("a file");
+            let chosen = points.iter().filter(|[x, _]| classes.contains(&class(*x)));
+            let chosen: Vec<[f64; 2]> = chosen.copied().collect();
+            let mut order = Sorting::new(1 << 22, folder.path())
+                .sort(&mut *input)
+                .expect("no fault");
+            let expected = expected(&chosen, &[]).0;
+            for (number, point, _) in &expected {
+                let vertex = order.next_vertex().expect("no fault").expect("a vertex");
+                assert_eq!((vertex.number, vertex.point), (*number, *point));
+                assert_eq!(vertex.height, Some(height(point[0], point[1])));
+            }
+            assert_eq!(order.next_vertex().expect("no fault"), None);
+            let (kept, points) = (chosen.len(), points.len());
+            let said = Remark::Classes { kept, points };
+            assert!(input.remarks().contains(&said), "{:?}", input.remarks());
+        }
+    }
+    let choice = Choice {
+        classes: vec![2],
+        ..Choice::default()
+    };
+    let error = open_chosen(Path::new("a.csv"), Format::Csv, None, &choice).err();
+    let error = error.expect("it has none").to_string();
+    assert_eq!(error, "a.csv: a .csv has no classes of points");
 }
 
 /// PDAL#3348 and laspy#222: scales from a kilometre down to a nanometre far from the origin, and a cloud without points.

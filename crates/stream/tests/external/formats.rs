@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use sweep_cdt_formats::{Input as Read, Source, read};
-use sweep_cdt_stream::external::{Format, Sorting, open};
+use sweep_cdt_stream::external::{Choice, Format, Sorting, open, open_chosen};
 
 use crate::{Random, expected, take};
 
@@ -17,6 +17,8 @@ pub(crate) fn check_file(name: &str, bytes: &[u8], format: Format) {
         Ok(Read::Doubles(file)) => file,
         other => panic!("{name} is read in memory: {other:?}"),
     };
+    let heights = file.heights().map(|column| &column.values[..]);
+    check_heights(&path, format, heights);
     let graph = file.graph;
     let edges: Vec<[u64; 2]> = graph
         .edges
@@ -24,6 +26,30 @@ pub(crate) fn check_file(name: &str, bytes: &[u8], format: Format) {
         .map(|edge| edge.map(|end| end as u64))
         .collect();
     sorts_to(&path, format, &graph.points, &edges);
+}
+
+/// Sorts a file in little memory and in much, and compares the heights that come with the vertices.
+pub(crate) fn check_heights(path: &Path, format: Format, expected: Option<&[f64]>) {
+    let folder = tempfile::tempdir().expect("a folder");
+    for memory in [250_000, 1 << 30] {
+        let choice = Choice {
+            heights: true,
+            ..Choice::default()
+        };
+        let mut input = open_chosen(path, format, None, &choice).expect("a file");
+        let order = Sorting::new(memory, folder.path()).sort(&mut *input);
+        let mut order = order.expect("no fault");
+        let mut range = [f64::INFINITY, f64::NEG_INFINITY];
+        while let Some(vertex) = order.next_vertex().expect("no fault") {
+            let at = usize::try_from(vertex.number).expect("small");
+            let height = expected.map_or(f64::NAN, |heights| heights[at]);
+            let height = Some(height).filter(|height| !height.is_nan());
+            let bits = |height: Option<f64>| height.map(f64::to_bits);
+            assert_eq!(bits(vertex.height), bits(height), "{}", path.display());
+            range = height.map_or(range, |z| [range[0].min(z), range[1].max(z)]);
+        }
+        assert_eq!(order.summary().height, range, "{}", path.display());
+    }
 }
 
 /// Sorts a file in little memory and in much.

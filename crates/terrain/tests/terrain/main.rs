@@ -4,6 +4,7 @@
 mod contours;
 mod heights;
 mod levels;
+mod passing;
 mod places;
 
 use sweep_cdt::Triangulation;

@@ -1,4 +1,4 @@
-//! Point clouds of laser scanners, `.las` and `.laz`, with the crate `las`: x and y of each point.
+//! Point clouds of laser scanners, `.las` and `.laz`, with the crate `las`: x, y and perhaps z of each point.
 //!
 //! A file holds whole numbers of 32 bits, and for each axis a scale and an offset. A coordinate is the double that the
 //! crate makes of them.
@@ -19,8 +19,8 @@ use laz::laszip::{ChunkTable, LazItemType};
 use sweep_cdt::threads::has_threads;
 use sweep_cdt_formats::{ReadError, Remark, reason};
 
-use crate::external::input::Input;
 use crate::external::input::file::InputFile;
+use crate::external::input::{Choice, Input};
 
 /// How many points are read at once: a few chunks of a `.laz`, which are unpacked on all cores. They are fewer where they
 /// would take more than [`BYTES`].
@@ -34,6 +34,11 @@ pub(super) struct Cloud {
     file: InputFile,
     reader: Reader,
     points: PointData,
+    /// Those of the points that came last, if they are asked for.
+    heights: Option<Vec<f64>>,
+    /// The classes of the points that come, if they were chosen, and how many points have come.
+    classes: Vec<u8>,
+    kept: u64,
     /// Where the points begin, as the header says.
     points_begin: u64,
     read: u64,
@@ -41,7 +46,7 @@ pub(super) struct Cloud {
 }
 
 impl Cloud {
-    pub(super) fn open(path: &Path) -> Result<Cloud, ReadError> {
+    pub(super) fn open(path: &Path, choice: &Choice) -> Result<Cloud, ReadError> {
         let file = InputFile::open(path)?;
         let read = BufReader::new(file.handle()?);
         let (reader, points_begin) =
@@ -55,10 +60,54 @@ impl Cloud {
             file,
             reader,
             points,
+            heights: choice.heights.then(Vec::new),
+            classes: choice.classes.clone(),
+            kept: 0,
             points_begin,
             read: 0,
             count,
         })
+    }
+
+    /// Appends those of the next points that were chosen, and sets their heights.
+    fn read_some(&mut self, points: &mut Vec<[f64; 2]>) -> Result<(), ReadError> {
+        let each = self.reader.header().point_format().len();
+        let most = POINTS.min(BYTES / u64::from(each.max(1)));
+        let most = most.min(self.count - self.read);
+        let Cloud {
+            reader,
+            points: unpacked,
+            ..
+        } = self;
+        let read = caught(|| {
+            let read = reader.fill_points(most, unpacked);
+            read.map_err(|error| error.to_string())
+        });
+        let fault = |why: String| {
+            let (read, count) = (self.read, self.count);
+            self.file
+                .error(format!("after point {read} of {count}: {why}"))
+        };
+        match read {
+            Ok(read) if read == most => {}
+            Ok(_) => return Err(fault("the file ends".to_owned())),
+            Err(why) => return Err(fault(why)),
+        }
+        self.read += most;
+        let is_chosen = |class: u8| self.classes.is_empty() || self.classes.contains(&class);
+        let pairs = self
+            .points
+            .x()
+            .zip(self.points.y())
+            .zip(self.points.classification());
+        let chosen = pairs.filter(|&(_, class)| is_chosen(class));
+        points.extend(chosen.map(|((x, y), _)| [x, y]));
+        if let Some(heights) = &mut self.heights {
+            let chosen = self.points.z().zip(self.points.classification());
+            let chosen = chosen.filter(|&(_, class)| is_chosen(class));
+            heights.extend(chosen.map(|(z, _)| z));
+        }
+        Ok(())
     }
 }
 
@@ -233,35 +282,23 @@ impl Input for Cloud {
     }
 
     fn next_points(&mut self, points: &mut Vec<[f64; 2]>) -> Result<(), ReadError> {
-        let each = self.reader.header().point_format().len();
-        let most = POINTS.min(BYTES / u64::from(each.max(1)));
-        let most = most.min(self.count - self.read);
-        if most == 0 {
+        if let Some(heights) = &mut self.heights {
+            heights.clear();
+        }
+        let before = points.len();
+        // Of some points none may be of a chosen class.
+        while points.len() == before && self.read < self.count {
+            self.read_some(points)?;
+        }
+        self.kept += (points.len() - before) as u64;
+        if points.len() == before {
             return self.file.check();
         }
-        let Cloud {
-            reader,
-            points: unpacked,
-            ..
-        } = self;
-        let read = caught(|| {
-            let read = reader.fill_points(most, unpacked);
-            read.map_err(|error| error.to_string())
-        });
-        let fault = |why: String| {
-            let (read, count) = (self.read, self.count);
-            self.file
-                .error(format!("after point {read} of {count}: {why}"))
-        };
-        match read {
-            Ok(read) if read == most => {}
-            Ok(_) => return Err(fault("the file ends".to_owned())),
-            Err(why) => return Err(fault(why)),
-        }
-        self.read += most;
-        let pairs = self.points.x().zip(self.points.y());
-        points.extend(pairs.map(|(x, y)| [x, y]));
         Ok(())
+    }
+
+    fn heights(&self) -> Option<&[f64]> {
+        self.heights.as_deref()
     }
 
     fn next_edges(&mut self, _edges: &mut Vec<[u64; 2]>) -> Result<(), ReadError> {
@@ -285,10 +322,21 @@ impl Input for Cloud {
                 remarks.push(Remark::Promise { what });
             }
         }
+        let count = |points| usize::try_from(points).unwrap_or(usize::MAX);
+        if !self.classes.is_empty() && self.read == self.count {
+            remarks.push(Remark::Classes {
+                kept: count(self.kept),
+                points: count(self.count),
+            });
+        }
         if self.count > 0 {
+            let what = match self.heights {
+                None => "heights, and all else that points have",
+                Some(_) => "classes, and all else that points have beside places and heights",
+            };
             remarks.push(Remark::Ignored {
-                count: usize::try_from(self.count).unwrap_or(usize::MAX),
-                what: "heights, and all else that points have".to_owned(),
+                count: count(self.count),
+                what: what.to_owned(),
             });
         }
         remarks

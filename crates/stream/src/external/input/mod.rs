@@ -30,6 +30,11 @@ pub trait Input {
     /// The input is wrong there, or cannot be read.
     fn next_points(&mut self, points: &mut Vec<[f64; 2]>) -> Result<(), ReadError>;
 
+    /// The height of each point that came last, NaN where it has none; `None` if the input gives no heights.
+    fn heights(&self) -> Option<&[f64]> {
+        None
+    }
+
     /// Appends the next edges, by the numbers of their ends from 0. If there are none, no more will come. All points are
     /// read before the first edge.
     ///
@@ -37,12 +42,13 @@ pub trait Input {
     /// The input is wrong there, or cannot be read.
     fn next_edges(&mut self, edges: &mut Vec<[u64; 2]>) -> Result<(), ReadError>;
 
-    /// The remarks on the input: what is left out, and what decides which numbers are points.
+    /// The remarks on the input: what is left out, and what decides which numbers are points. More may be known when all
+    /// points are read.
     fn remarks(&self) -> Vec<Remark> {
         Vec::new()
     }
 
-    /// Whether the points have heights, which are left out.
+    /// Whether the points have heights in the input, left out or not.
     fn has_heights(&self) -> bool {
         false
     }
@@ -78,28 +84,45 @@ pub fn open(
     format: Format,
     edges: Option<&Path>,
 ) -> Result<Box<dyn Input>, ReadError> {
-    open_columns(path, format, edges, &[])
+    open_chosen(path, format, edges, &Choice::default())
 }
 
-/// Opens a file as [`open`] does; of points as text these columns are x, y and perhaps z, by their names or their places
-/// from 1 on, as in [`Source::columns`](sweep_cdt_formats::Source::columns).
+/// What is read of a file.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Choice {
+    /// Of points as text these columns are x, y and perhaps z, by their names or their places from 1 on, as in
+    /// [`Source::columns`](sweep_cdt_formats::Source::columns).
+    pub columns: Vec<String>,
+    /// Of a `.las` or `.laz` the points of these classes alone, which are then numbered as if there were no others; all
+    /// points, if it is empty.
+    pub classes: Vec<u8>,
+    /// Whether points come with their heights, if they have any: z of `.ply`, `.las` and text, the first attribute of
+    /// `.node` and `.poly`.
+    pub heights: bool,
+}
+
+/// Opens a file as [`open`] does, and reads what was chosen.
 ///
 /// # Errors
-/// The errors of [`open`]; or there is no such column.
-pub fn open_columns(
+/// The errors of [`open`]; or there is no such column, or the format has no classes.
+pub fn open_chosen(
     path: &Path,
     format: Format,
     edges: Option<&Path>,
-    columns: &[String],
+    choice: &Choice,
 ) -> Result<Box<dyn Input>, ReadError> {
+    if !choice.classes.is_empty() && !matches!(format, Format::Las | Format::Laz) {
+        let message = format!("a .{} has no classes of points", format.name());
+        return Err(ReadError::of_file(path.display().to_string(), message));
+    }
     let input: Box<dyn Input> = match format {
         Format::F64 => Box::new(raw::Points::open(path)?),
-        Format::Ply => Box::new(ply::Ply::open(path)?),
-        Format::Node => Box::new(triangle::Triangle::open(path, false)?),
-        Format::Poly => Box::new(triangle::Triangle::open(path, true)?),
-        Format::Csv | Format::Xyz | Format::Txt => Box::new(text::Text::open(path, columns)?),
+        Format::Ply => Box::new(ply::Ply::open(path, choice.heights)?),
+        Format::Node => Box::new(triangle::Triangle::open(path, false, choice.heights)?),
+        Format::Poly => Box::new(triangle::Triangle::open(path, true, choice.heights)?),
+        Format::Csv | Format::Xyz | Format::Txt => Box::new(text::Text::open(path, choice)?),
         #[cfg(feature = "las")]
-        Format::Las | Format::Laz => Box::new(las::Cloud::open(path)?),
+        Format::Las | Format::Laz => Box::new(las::Cloud::open(path, choice)?),
         _ => {
             let message = format!("a .{} is not read in pieces", format.name());
             return Err(ReadError::of_file(path.display().to_string(), message));

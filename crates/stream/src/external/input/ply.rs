@@ -1,8 +1,8 @@
 //! Stanford's `.ply`, as text or binary: the elements `vertex` and `edge`, read in pieces.
 //!
 //! The header is read as for a file in memory. Of the elements that follow, the points are read first, and then the edges:
-//! from where the points ended, or from the begin once more where edges stand before the points. All other elements and
-//! properties are read over.
+//! from where the points ended, or from the begin once more where edges stand before the points. Of a vertex x, y and
+//! perhaps z are read. All other elements and properties are read over.
 
 use std::path::Path;
 
@@ -32,10 +32,14 @@ pub(super) struct Ply {
     is_at_edges: bool,
     left_out: Vec<Remark>,
     has_heights: bool,
+    /// The place of z among the properties of a vertex, if heights are asked for, and what came last.
+    z: Option<usize>,
+    places: Vec<[f64; 3]>,
+    heights: Vec<f64>,
 }
 
 impl Ply {
-    pub(super) fn open(path: &Path) -> Result<Ply, ReadError> {
+    pub(super) fn open(path: &Path, heights: bool) -> Result<Ply, ReadError> {
         let mut file = InputFile::open(path)?;
         let mut bytes = Vec::new();
         file.read(LONGEST_HEADER, &mut bytes)?;
@@ -44,6 +48,7 @@ impl Ply {
         let begin = (length as u64, lines);
         let mut elements = Vec::new();
         let mut vertex = None;
+        let mut z = None;
         let mut left_out = Vec::new();
         for element in &header.elements {
             let names = match element.name {
@@ -67,12 +72,16 @@ impl Ply {
             };
             if element.name == b"vertex" && pair.is_some() {
                 vertex = Some(elements.len());
+                z = element
+                    .place(&[b"z"])
+                    .filter(|&z| heights && element.properties[z].length.is_none());
             }
             let name = quoted(element.name);
             match pair {
                 Some(pair) => {
                     let others = element.properties.iter().enumerate();
-                    let others = others.filter(|(at, _)| !pair.contains(at));
+                    let is_height = |at| element.name == b"vertex" && z == Some(at);
+                    let others = others.filter(|&(at, _)| !pair.contains(&at) && !is_height(at));
                     left_out.extend(others.map(|(_, property)| {
                         let what = format!("property {} of {name}", quoted(property.name));
                         Remark::Ignored { count: 1, what }
@@ -118,21 +127,25 @@ impl Ply {
             is_at_edges: false,
             left_out,
             has_heights,
+            z,
+            places: Vec::new(),
+            heights: Vec::new(),
         };
         ply.body.go_to(begin)?;
         Ok(ply)
     }
 
-    /// The pairs of the next records of the element that is read, some of them or all. There is one.
-    fn next_pairs<T>(
+    /// The properties at these places of the next records of the element that is read, some of them or all.
+    fn next_rows<T, const N: usize>(
         &mut self,
-        most: u64,
-        pairs: &mut Vec<[T; 2]>,
+        places: [usize; N],
+        rows: &mut Vec<[T; N]>,
         value: impl Fn(&Piece<'_>) -> Result<T, ReadError>,
     ) -> Result<(), ReadError> {
         let element = &self.elements[self.element];
-        let count = most.min(element.count - self.record);
-        self.body.read(element, self.record, count, pairs, value)?;
+        let count = RECORDS.min(element.count - self.record);
+        self.body
+            .read((element, places), self.record, count, rows, value)?;
         self.record += count;
         Ok(())
     }
@@ -173,10 +186,25 @@ impl Input for Ply {
     fn next_points(&mut self, points: &mut Vec<[f64; 2]>) -> Result<(), ReadError> {
         let vertex = self.vertex;
         self.go_to_element(|at, _| at >= vertex)?;
-        if self.element == self.vertex {
-            return self.next_pairs(RECORDS, points, |piece| piece.coordinate());
+        self.heights.clear();
+        if self.element != self.vertex {
+            return self.body.file().check();
         }
-        self.body.file().check()
+        let [x, y] = self.elements[vertex].pair.expect("it has x and y");
+        let Some(z) = self.z else {
+            return self.next_rows([x, y], points, |piece| piece.coordinate());
+        };
+        let mut places = std::mem::take(&mut self.places);
+        places.clear();
+        self.next_rows([x, y, z], &mut places, |piece| piece.coordinate())?;
+        points.extend(places.iter().map(|&[x, y, _]| [x, y]));
+        self.heights.extend(places.iter().map(|&[.., z]| z));
+        self.places = places;
+        Ok(())
+    }
+
+    fn heights(&self) -> Option<&[f64]> {
+        self.z.map(|_| &self.heights[..])
     }
 
     fn next_edges(&mut self, edges: &mut Vec<[u64; 2]>) -> Result<(), ReadError> {
@@ -190,10 +218,10 @@ impl Input for Ply {
             }
         }
         self.go_to_element(|at, element| at != vertex && element.pair.is_some())?;
-        if self.element < self.elements.len() {
-            return self.next_pairs(RECORDS, edges, |piece| piece.index("a vertex's number"));
+        match self.elements.get(self.element).and_then(|edge| edge.pair) {
+            Some(ends) => self.next_rows(ends, edges, |end| end.index("a vertex's number")),
+            None => self.body.file().check(),
         }
-        self.body.file().check()
     }
 
     fn remarks(&self) -> Vec<Remark> {

@@ -1,4 +1,4 @@
-//! The records of a `.ply`, in lines of text or as the bytes of numbers: of those of two elements a pair of numbers.
+//! The records of a `.ply`, in lines of text or as the bytes of numbers: of each a row of the numbers that are wanted.
 
 use std::ops::Range;
 
@@ -14,7 +14,7 @@ pub(super) struct Element {
     pub(super) name: String,
     pub(super) count: u64,
     pub(super) properties: Vec<Property>,
-    /// The places of the two properties that are read.
+    /// The places of the two properties that are read in any case.
     pub(super) pair: Option<[usize; 2]>,
 }
 
@@ -100,19 +100,19 @@ impl Body {
         }
     }
 
-    /// Reads so many records of an element that has a pair, from this one on.
-    pub(super) fn read<T>(
+    /// Reads so many records of an element, from this one on: of each the properties at these places.
+    pub(super) fn read<T, const N: usize>(
         &mut self,
-        element: &Element,
+        (element, places): (&Element, [usize; N]),
         first: u64,
         count: u64,
-        pairs: &mut Vec<[T; 2]>,
+        rows: &mut Vec<[T; N]>,
         value: impl Fn(&Piece<'_>) -> Result<T, ReadError>,
     ) -> Result<(), ReadError> {
         match self {
             Body::Text(lines) => (first..first + count)
-                .try_for_each(|at| read_line(lines, element, at, pairs, &value)),
-            Body::Binary(binary) => binary.read(element, first, count, pairs, &value),
+                .try_for_each(|at| read_line(lines, (element, places), at, rows, &value)),
+            Body::Binary(binary) => binary.read((element, places), first, count, rows, &value),
         }
     }
 
@@ -120,7 +120,7 @@ impl Body {
     pub(super) fn skip(&mut self, element: &Element, first: u64) -> Result<(), ReadError> {
         match self {
             Body::Text(lines) => (first..element.count).try_for_each(|at| {
-                read_line::<u64>(lines, element, at, &mut Vec::new(), |_| Ok(0))
+                read_line::<u64, 0>(lines, (element, []), at, &mut Vec::new(), |_| Ok(0))
             }),
             Body::Binary(binary) => binary.skip(element, first),
         }
@@ -147,18 +147,18 @@ impl Body {
 }
 
 /// Reads a record of a text.
-fn read_line<T>(
+fn read_line<T, const N: usize>(
     lines: &mut Lines,
-    element: &Element,
+    (element, places): (&Element, [usize; N]),
     record: u64,
-    pairs: &mut Vec<[T; 2]>,
+    rows: &mut Vec<[T; N]>,
     value: impl Fn(&Piece<'_>) -> Result<T, ReadError>,
 ) -> Result<(), ReadError> {
     let mut line = lines.expect(|| {
         let Element { name, count, .. } = element;
         format!("{name} {} of {count}", record + 1)
     })?;
-    let mut found = [None, None];
+    let mut found = [const { None }; N];
     for (at, property) in element.properties.iter().enumerate() {
         let count = match property.length {
             None => 1,
@@ -175,10 +175,7 @@ fn read_line<T>(
         };
         for _ in 0..count {
             let bytes = line.expect("a number")?;
-            let place = element
-                .pair
-                .and_then(|pair| pair.iter().position(|&place| place == at));
-            if let Some(place) = place {
+            if let Some(place) = places.iter().position(|&place| place == at) {
                 let error = |what| line.error(what);
                 let piece = Piece {
                     bytes,
@@ -189,10 +186,14 @@ fn read_line<T>(
             }
         }
     }
-    if let [Some(a), Some(b)] = found {
-        pairs.push([a, b]);
-    }
+    rows.extend(row(found));
     Ok(())
+}
+
+/// A row, if all of it is found.
+fn row<T, const N: usize>(found: [Option<T>; N]) -> Option<[T; N]> {
+    let is_whole = found.iter().all(Option::is_some);
+    is_whole.then(|| found.map(|value| value.expect("all are there")))
 }
 
 /// The bytes of numbers.
@@ -235,18 +236,18 @@ impl Binary {
         Ok(true)
     }
 
-    /// Reads so many records of an element that has a pair, from this one on.
-    fn read<T>(
+    /// Reads so many records of an element, from this one on: of each the properties at these places.
+    fn read<T, const N: usize>(
         &mut self,
-        element: &Element,
+        (element, places): (&Element, [usize; N]),
         first: u64,
         count: u64,
-        pairs: &mut Vec<[T; 2]>,
+        rows: &mut Vec<[T; N]>,
         value: impl Fn(&Piece<'_>) -> Result<T, ReadError>,
     ) -> Result<(), ReadError> {
-        let (Some(stride), Some(pair)) = (element.stride(), element.pair) else {
+        let Some(stride) = element.stride() else {
             return (first..first + count)
-                .try_for_each(|at| self.read_record(element, at, pairs, &value));
+                .try_for_each(|at| self.read_record((element, places), at, rows, &value));
         };
         if first == 0 {
             // A file that is cut off is refused before the work on it.
@@ -256,7 +257,7 @@ impl Binary {
             let before = element.properties[..place].iter();
             before.map(|property| property.kind.size()).sum::<usize>()
         };
-        let fields = pair.map(|place| {
+        let fields = places.map(|place| {
             let kind = element.properties[place].kind;
             let begin = offset(place);
             let big_endian = self.big_endian;
@@ -268,7 +269,6 @@ impl Binary {
             }
             let record = &self.bytes[self.at..self.at + stride];
             let error = |what: String| element.error(&self.file, at, &what);
-            let [a, b] = &fields;
             let read = |(range, number): &(Range<usize>, Number)| {
                 value(&Piece {
                     bytes: &record[range.clone()],
@@ -276,7 +276,11 @@ impl Binary {
                     error: &error,
                 })
             };
-            pairs.push([read(a)?, read(b)?]);
+            let mut found = [const { None }; N];
+            for (found, field) in found.iter_mut().zip(&fields) {
+                *found = Some(read(field)?);
+            }
+            rows.extend(row(found));
             self.at += stride;
         }
         Ok(())
@@ -286,7 +290,7 @@ impl Binary {
     fn skip(&mut self, element: &Element, first: u64) -> Result<(), ReadError> {
         let Some(stride) = element.stride() else {
             return (first..element.count).try_for_each(|at| {
-                self.read_record::<u64>(element, at, &mut Vec::new(), &|_| Ok(0))
+                self.read_record::<u64, 0>((element, []), at, &mut Vec::new(), &|_| Ok(0))
             });
         };
         let bytes = self.check_length(element, first, stride)?;
@@ -305,14 +309,14 @@ impl Binary {
     }
 
     /// Reads a record whose length is known when it is read.
-    fn read_record<T>(
+    fn read_record<T, const N: usize>(
         &mut self,
-        element: &Element,
+        (element, places): (&Element, [usize; N]),
         record: u64,
-        pairs: &mut Vec<[T; 2]>,
+        rows: &mut Vec<[T; N]>,
         value: &impl Fn(&Piece<'_>) -> Result<T, ReadError>,
     ) -> Result<(), ReadError> {
-        let mut found = [None, None];
+        let mut found = [const { None }; N];
         for (at, property) in element.properties.iter().enumerate() {
             let kind = property.length.unwrap_or(property.kind);
             if !self.has(kind.size())? {
@@ -327,9 +331,7 @@ impl Binary {
                 }),
                 error: &error,
             };
-            let place = element
-                .pair
-                .and_then(|pair| pair.iter().position(|&place| place == at));
+            let place = places.iter().position(|&place| place == at);
             let members = match (property.length, place) {
                 (Some(_), _) => piece.index("the length of a list")?,
                 (None, Some(place)) => {
@@ -343,9 +345,7 @@ impl Binary {
                 return Err(element.error(&self.file, record, &element.end()));
             }
         }
-        if let [Some(a), Some(b)] = found {
-            pairs.push([a, b]);
-        }
+        rows.extend(row(found));
         Ok(())
     }
 }

@@ -110,6 +110,10 @@ impl Input for WithEdges {
         self.points.next_points(points)
     }
 
+    fn heights(&self) -> Option<&[f64]> {
+        self.points.heights()
+    }
+
     fn next_edges(&mut self, edges: &mut Vec<[u64; 2]>) -> Result<(), ReadError> {
         self.are_points_read = true;
         edges.extend(self.edges.next()?.map(|pair| pair.map(u64::from_le_bytes)));

@@ -10,11 +10,11 @@ use std::path::Path;
 
 use sweep_cdt::threads::on_all_cores;
 use sweep_cdt_formats::{
-    Format, GraphFile, Input as Whole, ReadError, Remark, Source, quoted, read,
+    Column, Format, GraphFile, Input as Whole, ReadError, Remark, Source, quoted, read,
 };
 
-use crate::external::input::Input;
 use crate::external::input::file::InputFile;
+use crate::external::input::{Choice, Input};
 
 /// The bytes of a piece, and of the pieces that are read at once.
 const PIECE: usize = 1 << 17;
@@ -30,13 +30,22 @@ pub(super) struct Text {
     file: InputFile,
     begin: Begin,
     /// The points of the begin, until they are taken.
-    first: Vec<[f64; 2]>,
+    first: Points,
     /// What is read of the file behind the points that were taken, and how many lines come before that.
     bytes: Vec<u8>,
     lines: usize,
     /// As far as the first piece shows.
     left_out: Vec<Remark>,
     has_heights: bool,
+    /// Those of the points that came last, if they are asked for.
+    heights: Option<Vec<f64>>,
+}
+
+/// Points, and the height of each if heights are asked for.
+#[derive(Debug, Default)]
+struct Points {
+    places: Vec<[f64; 2]>,
+    heights: Vec<f64>,
 }
 
 /// How a file begins, up to the first row and with it.
@@ -49,10 +58,12 @@ struct Begin {
     lines: usize,
     /// How many points that is: none, if the row holds names.
     points: usize,
+    /// Whether heights are asked for.
+    heights: bool,
 }
 
 impl Text {
-    pub(super) fn open(path: &Path, columns: &[String]) -> Result<Text, ReadError> {
+    pub(super) fn open(path: &Path, choice: &Choice) -> Result<Text, ReadError> {
         let mut file = InputFile::open(path)?;
         let mut bytes = Vec::new();
         let mut length = loop {
@@ -66,10 +77,11 @@ impl Text {
         };
         let mut begin = Begin {
             name: file.name.clone(),
-            columns: columns.to_vec(),
+            columns: choice.columns.clone(),
             text: bytes[..length].to_vec(),
             lines: 0,
             points: 0,
+            heights: choice.heights,
         };
         let mut first = begin.points_with(&[]);
         for _ in 1..MOST_LINES {
@@ -83,15 +95,19 @@ impl Text {
         }
         let first = first?;
         bytes.drain(..length);
-        begin.points = first.len();
+        begin.points = first.places.len();
         begin.lines = line_ends(&begin.text);
         let piece = pieces(&bytes, file.left() == 0).into_iter().next();
-        let shown = begin.file_with(&bytes[piece.unwrap_or(0..0)]);
+        // A piece that is wrong is refused where it is taken, or ends within quotes.
+        let piece = &bytes[piece.unwrap_or(0..0)];
+        let shown = begin.file_with(piece);
+        let shown = shown.or_else(|_| begin.file_with(&piece[..end_outside_quotes(piece)]));
         let (mut left_out, mut has_heights) = (Vec::new(), false);
-        // A piece that is wrong is refused where it is taken.
         if let Ok(shown) = shown {
             has_heights = shown.heights().is_some();
             let columns = shown.columns.iter();
+            let columns =
+                columns.filter(|column| !(choice.heights && column.name == Column::HEIGHT));
             left_out.extend(columns.map(|column| {
                 let what = format!("column {}", quoted(column.name.as_bytes()));
                 Remark::Ignored { count: 1, what }
@@ -105,6 +121,7 @@ impl Text {
             file,
             left_out,
             has_heights,
+            heights: (choice.heights && has_heights).then(Vec::new),
             lines: begin.lines,
             begin,
             first,
@@ -122,7 +139,7 @@ impl Text {
         let mut end = 0;
         for (piece_end, found) in on_all_cores(pieces, of_piece) {
             let Ok(found) = found else { break };
-            points.extend(found);
+            add(found, points, &mut self.heights);
             end = piece_end;
         }
         self.pass(end);
@@ -151,7 +168,7 @@ impl Text {
                     return Err(self.file.error_in_line(self.lines + 1, message));
                 }
                 Ok(found) if end > 0 => {
-                    points.extend(found);
+                    add(found, points, &mut self.heights);
                     self.pass(end);
                     return Ok(());
                 }
@@ -179,10 +196,16 @@ impl Text {
 
 impl Begin {
     /// The points of a piece, as if it followed the begin.
-    fn points_with(&self, piece: &[u8]) -> Result<Vec<[f64; 2]>, ReadError> {
-        let mut points = self.file_with(piece)?.graph.points;
-        points.drain(..self.points);
-        Ok(points)
+    fn points_with(&self, piece: &[u8]) -> Result<Points, ReadError> {
+        let mut file = self.file_with(piece)?;
+        let mut columns = file.columns.iter_mut();
+        let heights = columns.find(|column| self.heights && column.name == Column::HEIGHT);
+        let mut heights =
+            heights.map_or_else(Vec::new, |column| std::mem::take(&mut column.values));
+        let mut places = file.graph.points;
+        heights.drain(..self.points.min(heights.len()));
+        places.drain(..self.points);
+        Ok(Points { places, heights })
     }
 
     /// A piece as a file, as if it followed the begin.
@@ -206,7 +229,10 @@ impl Input for Text {
 
     fn next_points(&mut self, points: &mut Vec<[f64; 2]>) -> Result<(), ReadError> {
         let before = points.len();
-        points.append(&mut self.first);
+        if let Some(heights) = &mut self.heights {
+            heights.clear();
+        }
+        add(std::mem::take(&mut self.first), points, &mut self.heights);
         while points.len() == before {
             let room = BLOCK.saturating_sub(self.bytes.len());
             self.file.read(room, &mut self.bytes)?;
@@ -220,6 +246,10 @@ impl Input for Text {
             }
         }
         Ok(())
+    }
+
+    fn heights(&self) -> Option<&[f64]> {
+        self.heights.as_deref()
     }
 
     fn next_edges(&mut self, _edges: &mut Vec<[u64; 2]>) -> Result<(), ReadError> {
@@ -237,6 +267,16 @@ impl Input for Text {
     fn progress(&self) -> (u64, u64) {
         (self.file.at, self.file.length)
     }
+}
+
+/// Adds points, and their heights if heights are asked for.
+fn add(found: Points, points: &mut Vec<[f64; 2]>, heights: &mut Option<Vec<f64>>) {
+    if let Some(heights) = heights {
+        heights.extend(&found.heights);
+        let missing = found.places.len() - found.heights.len();
+        heights.extend(std::iter::repeat_n(f64::NAN, missing));
+    }
+    points.extend(found.places);
 }
 
 /// Where the line ends that begins here; `None` if it goes on behind the bytes.

@@ -9,8 +9,8 @@
 //!          <segment> <vertex> <vertex> [marker]       numbered from 0 or from 1
 //! ```
 //!
-//! Numbers must be consecutive, as where the file is in memory. All that follows on a line is read over, and so are holes
-//! and regions.
+//! Numbers must be consecutive, as where the file is in memory. The first attribute is the height of a vertex, if heights
+//! are asked for. All that follows on a line is read over, and so are holes and regions.
 
 use std::path::Path;
 
@@ -35,6 +35,8 @@ pub(super) struct Triangle {
     edge: Option<Records>,
     /// How many attributes and markers each vertex has.
     others: [u64; 2],
+    /// Those of the vertices that came last, if they are asked for: their first attributes.
+    heights: Option<Vec<f64>>,
 }
 
 /// Records of one kind, with consecutive numbers.
@@ -57,7 +59,7 @@ impl Records {
         &mut self,
         lines: &mut Lines,
         list: &mut Vec<T>,
-        read: impl Fn(&mut Line<'_>) -> Result<T, ReadError>,
+        mut read: impl FnMut(&mut Line<'_>) -> Result<T, ReadError>,
     ) -> Result<(), ReadError> {
         let end = self.count.min(self.read + RECORDS);
         while self.read < end {
@@ -85,7 +87,7 @@ impl Records {
 
 impl Triangle {
     /// Opens a `.node`, or a `.poly` and maybe the `.node` beside it.
-    pub(super) fn open(path: &Path, is_poly: bool) -> Result<Triangle, ReadError> {
+    pub(super) fn open(path: &Path, is_poly: bool, heights: bool) -> Result<Triangle, ReadError> {
         let mut vertices = Lines::new(InputFile::open(path)?, 0);
         let (mut count, mut others) = vertex_count(&mut vertices)?;
         let mut edges = None;
@@ -107,6 +109,7 @@ impl Triangle {
             },
             edge: None,
             others,
+            heights: (heights && others[0] > 0).then(Vec::new),
         })
     }
 
@@ -158,15 +161,26 @@ impl Input for Triangle {
 
     fn next_points(&mut self, points: &mut Vec<[f64; 2]>) -> Result<(), ReadError> {
         let Triangle {
-            vertices, vertex, ..
+            vertices,
+            vertex,
+            heights,
+            ..
         } = self;
+        let mut heights = heights.as_mut();
+        if let Some(heights) = &mut heights {
+            heights.clear();
+        }
         if vertex.read < vertex.count {
             return vertex.next(vertices, points, |line| {
                 let mut value = |what| {
                     let token = line.expect(what)?;
                     coordinate(token, |why| line.error(why))
                 };
-                Ok([value("an x coordinate")?, value("a y coordinate")?])
+                let point = [value("an x coordinate")?, value("a y coordinate")?];
+                if let Some(heights) = &mut heights {
+                    heights.push(value("an attribute")?);
+                }
+                Ok(point)
             });
         }
         let is_node = !self.has_edges || self.edges.is_some();
@@ -176,6 +190,10 @@ impl Input for Triangle {
             return Err(vertices.line().error(message));
         }
         vertices.file.check()
+    }
+
+    fn heights(&self) -> Option<&[f64]> {
+        self.heights.as_deref()
     }
 
     fn next_edges(&mut self, edges: &mut Vec<[u64; 2]>) -> Result<(), ReadError> {
@@ -213,6 +231,7 @@ impl Input for Triangle {
 
     fn remarks(&self) -> Vec<Remark> {
         let [attributes, markers] = self.others.map(|count| usize::try_from(count).unwrap_or(0));
+        let attributes = attributes - usize::from(self.heights.is_some());
         [
             (
                 attributes,
