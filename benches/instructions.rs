@@ -38,7 +38,7 @@ const WORKS: [(&str, Work); 16] = [
     }),
     // Five times, since reading the file takes up to 1 % more or less by the random seed of its hash tables.
     ("contours", |times| {
-        triangulated(&data::contours(), 5 * times)
+        triangulated(&data::contours(), 5 * times);
     }),
     ("lattice", |times| {
         triangulated(&clouds::shuffled_lattice(100_000), times);
