@@ -48,7 +48,9 @@ pub(crate) fn check_heights(path: &Path, format: Format, expected: Option<&[f64]
             assert_eq!(bits(vertex.height), bits(height), "{}", path.display());
             range = height.map_or(range, |z| [range[0].min(z), range[1].max(z)]);
         }
-        assert_eq!(order.summary().height, range, "{}", path.display());
+        let bits = |range: [f64; 2]| range.map(f64::to_bits);
+        let summary = order.summary();
+        assert_eq!(bits(summary.height), bits(range), "{}", path.display());
     }
 }
 
