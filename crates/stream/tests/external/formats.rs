@@ -48,7 +48,9 @@ pub(crate) fn check_heights(path: &Path, format: Format, expected: Option<&[f64]
             assert_eq!(bits(vertex.height), bits(height), "{}", path.display());
             range = height.map_or(range, |z| [range[0].min(z), range[1].max(z)]);
         }
-        assert_eq!(order.summary().height, range, "{}", path.display());
+        let bits = |range: [f64; 2]| range.map(f64::to_bits);
+        let summary = order.summary();
+        assert_eq!(bits(summary.height), bits(range), "{}", path.display());
     }
 }
 
@@ -95,6 +97,24 @@ fn raw_doubles_are_read_with_and_without_edges() {
     let order = Sorting::new(200_000, folder.path()).sort(&mut *input);
     let vertices = take(order.expect("no fault")).expect("no fault");
     assert!(vertices == expected(&points, &edges).0);
+}
+
+/// A batch of the order ends early where many edges begin: the heights behind it come with the next one.
+#[test]
+fn heights_come_where_batches_end_early() {
+    let mut random = Random(52);
+    let mut text = "400 2 1 0\n".to_owned();
+    for at in 0..400 {
+        let [x, y, z] = [0; 3].map(|_| random.below(1000));
+        text.push_str(&format!("{at} {x} {y} {z}\n"));
+    }
+    text.push_str("4000 0\n");
+    for at in 0..4000 {
+        let [a, b] = [0; 2].map(|_| random.below(400));
+        text.push_str(&format!("{at} {a} {b}\n"));
+    }
+    text.push_str("0\n");
+    check_file("a.poly", text.as_bytes(), Format::Poly);
 }
 
 /// Compares the error of a file with that of a reader in memory.
