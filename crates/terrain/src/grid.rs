@@ -132,7 +132,7 @@ impl Grid {
     /// column and the heights from there on, NaN where a height that counts is missing.
     ///
     /// # Errors
-    /// Those of `put`.
+    /// Errors of `put`.
     pub fn heights<E>(
         &self,
         corners: [Corner; 3],
@@ -157,7 +157,7 @@ impl Grid {
         Ok(())
     }
 
-    /// Those of some columns of a row whose centres lie in a triangle.
+    /// The columns among these of a row whose centres lie in a triangle.
     fn inside(&self, row: usize, columns: Range<usize>, corners: &[Corner; 3]) -> Range<usize> {
         let Range { mut start, mut end } = columns;
         for side in 0..3 {

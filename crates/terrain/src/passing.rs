@@ -21,9 +21,9 @@ const SHORT: usize = 16;
 pub struct Corner {
     /// The number of the vertex.
     pub number: u64,
-    /// Its place.
+    /// The place of the vertex.
     pub point: [f64; 2],
-    /// Its height, NaN where it is missing.
+    /// The height of the vertex, NaN where it is missing.
     pub height: f64,
 }
 

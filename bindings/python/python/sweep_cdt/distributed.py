@@ -156,7 +156,7 @@ def _written(folder: Name) -> Iterator[Path]:
     part.mkdir(parents=True)
     try:
         yield part
-        # Those of workers that died while they wrote.
+        # Files of workers that died while they wrote.
         for unfinished in part.glob(".*"):
             unfinished.unlink()
         part.replace(folder)

@@ -252,7 +252,7 @@ impl StreamCommand {
         }
     }
 
-    /// What is read of the input.
+    /// The parts of the input that are read.
     fn choice(&self, format: Option<Format>) -> Choice {
         Choice {
             columns: self.columns.clone(),

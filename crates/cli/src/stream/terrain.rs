@@ -257,7 +257,7 @@ impl Terrain {
         }
     }
 
-    /// What is to say about the heights; the first point has this number.
+    /// The remarks on the heights; the first point has this number.
     pub(super) fn remarks(&self, first: u64, triangles: u64) -> Vec<Remark> {
         let count = |number| usize::try_from(number).unwrap_or(usize::MAX);
         let conflict = self

@@ -31,7 +31,7 @@ use crate::Coordinate;
 pub struct RasterHead {
     /// How many columns and rows it has.
     pub size: [usize; 2],
-    /// Its lower left corner, and its upper right one.
+    /// The lower left corner of the grid, and the upper right one.
     pub corners: [[f64; 2]; 2],
     /// The size of a cell.
     pub cell: f64,

@@ -15,7 +15,7 @@ pub struct Vertex<'a> {
     pub number: u64,
     /// The x and y of the vertex.
     pub point: [f64; 2],
-    /// Its height, where the input gives heights and it has one. Equal points may have several.
+    /// The height of the vertex, where the input gives heights and it has one. Equal points may have several.
     pub height: Option<f64>,
     /// The edges whose lower end it is, in the order of their numbers: the number of each in the input, from 0, and its
     /// upper end. Of equal points the first one has them.

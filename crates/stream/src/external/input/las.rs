@@ -34,7 +34,7 @@ pub(super) struct Cloud {
     file: InputFile,
     reader: Reader,
     points: PointData,
-    /// Those of the points that came last, if they are asked for.
+    /// The heights of the points that came last, if they are asked for.
     heights: Option<Vec<f64>>,
     /// The classes of the points that come, if they were chosen, and how many points have come.
     classes: Vec<u8>,

@@ -87,7 +87,7 @@ pub fn open(
     open_chosen(path, format, edges, &Choice::default())
 }
 
-/// What is read of a file.
+/// The parts of a file that are read.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Choice {
     /// Of points as text these columns are x, y and perhaps z, by their names or their places from 1 on, as in

@@ -37,7 +37,7 @@ pub(super) struct Text {
     /// As far as the first piece shows.
     left_out: Vec<Remark>,
     has_heights: bool,
-    /// Those of the points that came last, if they are asked for.
+    /// The heights of the points that came last, if they are asked for.
     heights: Option<Vec<f64>>,
 }
 

@@ -35,7 +35,7 @@ pub(super) struct Triangle {
     edge: Option<Records>,
     /// How many attributes and markers each vertex has.
     others: [u64; 2],
-    /// Those of the vertices that came last, if they are asked for: their first attributes.
+    /// The heights of the vertices that came last, if they are asked for: their first attributes.
     heights: Option<Vec<f64>>,
 }
 
