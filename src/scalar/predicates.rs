@@ -24,6 +24,7 @@ use core::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 #[cfg(feature = "std")]
 use std::sync::OnceLock as Once;
 
+use super::doubles::power;
 use super::filter;
 use super::integer_points::IntegerPoints;
 use super::scale::Scale;
@@ -247,10 +248,12 @@ fn are_coordinates<const N: usize>(doubles: [[f64; 2]; N], scale: &Scale) -> boo
 /// assert_eq!(orient2d(&[0.1, 0.1], &[0.2, 0.2], &[0.3, 0.3]), Ordering::Equal);
 /// ```
 pub fn orient2d<S: Scalar>(a: &[S; 2], b: &[S; 2], c: &[S; 2]) -> Ordering {
-    let (doubles, scale) = scaled([a, b, c]);
-    let filtered = filter::orient2d(doubles, scale);
+    let filtered = unscaled([a, b, c]).and_then(|doubles| filter::orient2d(doubles, Scale::EXACT));
     filtered.unwrap_or_else(|| {
-        orient2d_below_filter(doubles, &scale, || S::orient2d_by_stage(a, b, c)).0
+        let (doubles, scale) = scaled([a, b, c]);
+        let exact = || S::orient2d_by_stage(a, b, c);
+        let filtered = filter::orient2d(doubles, scale);
+        filtered.unwrap_or_else(|| orient2d_below_filter(doubles, &scale, exact).0)
     })
 }
 
@@ -265,15 +268,29 @@ pub fn orient2d<S: Scalar>(a: &[S; 2], b: &[S; 2], c: &[S; 2]) -> Ordering {
 /// assert_eq!(in_circle(&a, &b, &c, &[0, 2]), Ordering::Equal);
 /// ```
 pub fn in_circle<S: Scalar>(a: &[S; 2], b: &[S; 2], c: &[S; 2], d: &[S; 2]) -> Ordering {
-    let (doubles, scale) = scaled([a, b, c, d]);
-    let filtered = filter::in_circle(doubles, scale);
+    let points = [a, b, c, d];
+    let filtered = unscaled(points).and_then(|doubles| filter::in_circle(doubles, Scale::EXACT));
     filtered.unwrap_or_else(|| {
+        let (doubles, scale) = scaled(points);
         let exact = || S::in_circle_by_stage(a, b, c, d);
-        in_circle_below_filter(doubles, &scale, || {}, exact).0
+        let filtered = filter::in_circle(doubles, scale);
+        filtered.unwrap_or_else(|| in_circle_below_filter(doubles, &scale, || {}, exact).0)
     })
 }
 
+/// The coordinates of a few points as doubles, if the filter is right of them as they are: no product overflows.
+#[inline(always)]
+fn unscaled<S: Scalar, const N: usize>(points: [&[S; 2]; N]) -> Option<[[f64; 2]; N]> {
+    let doubles = points.map(|[x, y]| [x.approx(), y.approx()]);
+    let largest = doubles
+        .iter()
+        .flatten()
+        .fold(0.0, |largest: f64, x| largest.max(x.abs()));
+    (S::APPROX_IS_EXACT && largest < power(200)).then_some(doubles)
+}
+
 /// Doubles for a few points, on a scale of their own.
+#[cold]
 fn scaled<S: Scalar, const N: usize>(points: [&[S; 2]; N]) -> ([[f64; 2]; N], Scale) {
     let mut doubles = points.map(|[x, y]| [x.approx(), y.approx()]);
     let scale = Scale::unify(&mut doubles, S::APPROX_IS_EXACT);

@@ -11,7 +11,7 @@ use std::fmt;
 
 use sweep_cdt::crossings::Exact;
 
-use crate::measure::{compare_area, compare_side, has_less_than, squared_cosine};
+use crate::measure::{compare_area, compare_side, has_angle_below, squared_cosine};
 
 /// Bounds on the triangles of a mesh. A bound that is `None` holds always.
 ///
@@ -106,10 +106,9 @@ impl Bounds {
 
     /// The first bound that a triangle of finite corners breaks.
     pub(crate) fn broken<S: Exact>(&self, corners: [&[S; 2]; 3]) -> Option<Broken> {
-        let turned = |k: usize| [0, 1, 2].map(|i| corners[(k + i) % 3]);
-        if let Some(least) = self.least_angle
-            && let cosine = squared_cosine(least)
-            && (0..3).any(|k| has_less_than(turned(k), cosine))
+        if self
+            .least_angle
+            .is_some_and(|least| has_angle_below(corners, squared_cosine(least)))
         {
             return Some(Broken::Angle);
         }

@@ -2,11 +2,8 @@
 //!
 //! A new point leaves a triangle wrong that sees it and has it inside its circle; or on it, if the rule for ties says
 //! so: of vertices on one circle all diagonals end at the first one, by x and then from above. These triangles hang
-//! together, across sides that are free, with the triangle in which the point lies. (More would do no harm: a region
-//! may be too large.) Beyond the hull the sides that see
-//! the point count as triangles. Cost: O(k log k) for k triangles found, and an exact sign for each neighbour.
-
-use std::collections::BTreeSet;
+//! together, across sides that are free, with the triangle in which the point lies. Beyond the hull the sides that see
+//! the point count as triangles. Cost: an exact sign for each neighbour of a triangle found.
 
 use sweep_cdt::scalar::{Scalar, in_circle};
 
@@ -17,45 +14,44 @@ use crate::triangulation::DynamicTriangulation;
 impl<S: Scalar + Clone> DynamicTriangulation<S> {
     /// Adds to the region what a new vertex at this place leaves wrong.
     pub(crate) fn add_conflicts(&mut self, v: u32, place: Place) {
-        let (mut faces, mut beyond) = (Vec::new(), Vec::new());
         match place {
             Place::Vertex(_) => return,
-            Place::Triangle(t) => faces.push(t),
-            Place::Beyond(side) => beyond.push(side),
+            Place::Triangle(t) => self.region.add(t),
+            Place::Beyond(side) => self.region.add_beyond(side),
             Place::Side(side) => {
-                faces.push(side / 3);
+                self.region.add(side / 3);
                 match self.mesh.twin(side) {
-                    NONE => beyond.push(side),
-                    across => faces.push(across / 3),
+                    NONE => self.region.add_beyond(side),
+                    across => self.region.add(across / 3),
                 }
             }
         }
-        let (mut seen, mut seen_beyond) = (BTreeSet::new(), BTreeSet::new());
+        let (mut face, mut beyond) = (0, 0);
         loop {
-            if let Some(t) = faces.pop() {
-                if !seen.insert(t) {
-                    continue;
-                }
-                self.region.add(t);
+            if let Some(&t) = self.region.triangles.get(face) {
+                face += 1;
                 for side in 3 * t..3 * t + 3 {
                     match self.mesh.twin(side) {
                         _ if self.mesh.covers(side) > 0 => {}
-                        NONE if self.is_right_of(side, self.points.place(v)) => beyond.push(side),
+                        NONE if self.is_right_of(side, self.points.place(v)) => {
+                            self.region.add_beyond(side);
+                        }
                         NONE => {}
-                        across if self.is_conflict(across, v) => faces.push(across / 3),
+                        across if self.region.has(across / 3) => {}
+                        across if self.is_conflict(across, v) => self.region.add(across / 3),
                         _ => {}
                     }
                 }
-            } else if let Some(side) = beyond.pop() {
-                if !seen_beyond.insert(side) {
-                    continue;
-                }
-                self.region.add_beyond(side);
+            } else if let Some(&side) = self.region.beyond.get(beyond) {
+                beyond += 1;
                 if self.mesh.covers(side) == 0 && self.is_conflict(side, v) {
-                    faces.push(side / 3);
+                    self.region.add(side / 3);
                 }
-                let beside = self.mesh.hull_beside(side).into_iter();
-                beyond.extend(beside.filter(|&side| self.is_right_of(side, self.points.place(v))));
+                for side in self.mesh.hull_beside(side) {
+                    if self.is_right_of(side, self.points.place(v)) {
+                        self.region.add_beyond(side);
+                    }
+                }
             } else {
                 break;
             }

@@ -1,5 +1,6 @@
 //! Edits, one by one and in batches: what is removed goes first, then points come, then edges.
 
+use std::cmp::Reverse;
 use std::collections::{BTreeMap, VecDeque};
 use std::ops::Range;
 
@@ -367,20 +368,43 @@ impl<S: Scalar + Clone> DynamicTriangulation<S> {
         points: &[[S; 2]],
         vertices: &mut Vertices,
     ) -> Result<(), EditError> {
-        for point in points {
-            let place = self.find(point);
+        vertices.of_new.resize(points.len(), NONE);
+        for i in self.insertion_order(points) {
+            let place = self.find(&points[i]);
             if let Place::Vertex(v) = place {
-                vertices.of_new.push(v);
+                vertices.of_new[i] = v;
                 continue;
             }
-            let v = self.reserve(point, vertices);
+            let v = self.points.reserve(points[i].clone());
+            vertices.reserved.push(v);
+            vertices.of_new[i] = v;
             self.add_conflicts(v, place);
-            self.last = self.region.triangles.last().copied().unwrap_or(self.last);
+            if !self.has_star(v) {
+                self.sweep_region(&[], &[v], &[])?;
+            }
         }
-        let new = vertices.reserved.clone();
-        self.sweep_region(&[], &new, &[])?;
-        self.merge(vertices);
         Ok(())
+    }
+
+    /// An order in which points come: half of them, by chance, last, of the others half before those, and so on; each
+    /// round cell by cell of the grid. So a point changes few triangles, and the way from one to the next is short
+    /// (Amenta, Choi and Rote 2003).
+    fn insertion_order(&self, points: &[[S; 2]]) -> Vec<usize> {
+        let chance = |i: usize| (i as u64 + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+        let key = |(i, point)| {
+            (
+                Reverse(chance(i).leading_zeros()),
+                self.hints.cell(point),
+                i,
+            )
+        };
+        let mut order: Vec<_> = points.iter().enumerate().map(key).collect();
+        order.sort_unstable_by(|(round, cell, i), (other, other_cell, j)| {
+            let ([ax, ay], [bx, by]) = (&points[*i], &points[*j]);
+            let places = || ax.compare(bx).then_with(|| ay.compare(by));
+            (round, cell).cmp(&(other, other_cell)).then_with(places)
+        });
+        order.into_iter().map(|(.., i)| i).collect()
     }
 
     fn insert_edges(&mut self, edges: &[[usize; 2]], vertices: &Vertices) -> Result<(), EditError> {
@@ -448,7 +472,7 @@ impl<S: Scalar + Clone> DynamicTriangulation<S> {
     }
 
     /// Keeps what was made, and says what it changed.
-    fn commit(
+    pub(crate) fn commit(
         &mut self,
         edits: Edits<S>,
         taken: &[(usize, [u32; 2])],
@@ -505,9 +529,9 @@ impl<S: Scalar + Clone> DynamicTriangulation<S> {
 
 /// The vertices of the points that come.
 #[derive(Debug, Default)]
-struct Vertices {
+pub(crate) struct Vertices {
     /// For each of these points its vertex.
-    of_new: Vec<u32>,
+    pub(crate) of_new: Vec<u32>,
     /// The vertices that are new.
-    reserved: Vec<u32>,
+    pub(crate) reserved: Vec<u32>,
 }

@@ -63,7 +63,8 @@ impl Hints {
         hints
     }
 
-    fn cell<S: Scalar>(&self, place: &[S; 2]) -> usize {
+    /// The cell of a place.
+    pub(crate) fn cell<S: Scalar>(&self, place: &[S; 2]) -> usize {
         let near = near(place);
         // A number out of range goes to the nearest cell, and what is no number to the first.
         #[expect(
@@ -72,7 +73,8 @@ impl Hints {
             reason = "it saturates"
         )]
         let at = |i: usize| ((near[i] - self.low[i]) * self.scale[i]) as usize;
-        at(0).min(self.width - 1) + self.width * at(1).min(self.width - 1)
+        let last = self.width.saturating_sub(1);
+        at(0).min(last) + self.width * at(1).min(last)
     }
 
     /// Remembers a vertex.

@@ -14,6 +14,7 @@ mod placed;
 mod points;
 mod refine;
 mod region;
+mod star;
 mod sweep;
 mod triangulation;
 mod voronoi;

@@ -82,9 +82,23 @@ pub(crate) fn compare_angle<S: Exact>([a, b, c]: [&[S; 2]; 3], cosine: f64) -> O
     (&sum * &sum).cmp(&(pp * qq * fraction(cosine)))
 }
 
-/// Whether the angle at the last corner is less than the one with this squared cosine.
-pub(crate) fn has_less_than<S: Exact>(corners: [&[S; 2]; 3], cosine: f64) -> bool {
-    compare_angle(corners, cosine).is_gt() && scalar_product(corners).is_gt()
+/// Whether an angle of a triangle is less than the one with this squared cosine.
+pub(crate) fn has_angle_below<S: Exact>(corners: [&[S; 2]; 3], cosine: f64) -> bool {
+    let turned = [0, 1, 2].map(|k| [0, 1, 2].map(|i| corners[(k + i) % 3]));
+    let is_below =
+        |corners| compare_angle(corners, cosine).is_gt() && scalar_product(corners).is_gt();
+    if let [Some(a), Some(b), Some(c)] = corners.map(doubles) {
+        // Most triangles are beyond doubt: no cosine is near the bound.
+        let is_above = |corners| {
+            let [sum, _, pp, qq] = spread(corners);
+            let both = pp * qq;
+            cosine * both - sum * sum > ERROR * both && NORMAL.contains(&pp) && NORMAL.contains(&qq)
+        };
+        if is_above([a, b, c]) && is_above([b, c, a]) && is_above([c, a, b]) {
+            return false;
+        }
+    }
+    turned.into_iter().any(is_below)
 }
 
 /// The order of the area of a triangle and another one.

@@ -110,9 +110,10 @@ impl<S: Scalar + Clone> DynamicTriangulation<S> {
         list
     }
 
-    /// What the last edit swept, region by region: the vertices of a region, with its border and the parts of edges in
+    /// What the last edit changed, region by region: the vertices of a region, with its border and the parts of edges in
     /// it as edges, and the numbers of these vertices. The steps of an edit are the steps of these sweeps
-    /// (`sweep_cdt::trace`). Empty after an edit that was refused.
+    /// (`sweep_cdt::trace`); of a vertex that comes into a closed region the sweep is left out, as it would make the star
+    /// of the vertex. Empty after an edit that was refused.
     ///
     /// ```
     /// let mut square = sweep_cdt_edit::DynamicTriangulation::new();

@@ -68,8 +68,15 @@ impl<S: Exact> Work<'_, '_, S> {
         }
     }
 
-    /// Where a part is to be split, or why it cannot be.
-    pub(super) fn split(&self, number: u32) -> Result<Split<S>, Reason> {
+    /// Where a part is to be split, or why it cannot be; no vertex lies between the place and the part.
+    pub(super) fn split(&self, part: u32) -> Result<Split<S>, Reason> {
+        let split = self.halfway(part)?;
+        let is_at = self.is_at(part, &split.place);
+        is_at.then_some(split).ok_or(Reason::Rounding)
+    }
+
+    /// Where a part would be split, or why it is not.
+    pub(super) fn halfway(&self, number: u32) -> Result<Split<S>, Reason> {
         if let Some(reason) = self.why_whole(number) {
             return Err(reason);
         }
@@ -85,9 +92,7 @@ impl<S: Exact> Work<'_, '_, S> {
             return Err(Reason::Rounding);
         }
         let part = number;
-        let split = Split { part, place, kind };
-        let is_at = self.is_at(part, &split.place);
-        is_at.then_some(split).ok_or(Reason::Rounding)
+        Ok(Split { part, place, kind })
     }
 
     /// Whether a place lies in a triangle at a part or on the part; or outside, if the part bounds the inside: then no
@@ -158,14 +163,20 @@ fn shell<S: Exact>(corner: u32, from: &[S; 2], to: &[S; 2]) -> ([S; 2], Kind) {
     let length = x.hypot(y);
     let exponent = (length * (2.0 / 3.0)).log2().floor();
     let part = exponent.exp2() / length;
-    let Some(part) =
+    let Some(fraction) =
         num_rational::BigRational::from_float(part).filter(|_| part > 0.25 && part < 0.75)
     else {
         return (middle(from, to), Kind::OnPart(None));
     };
-    let place = [0, 1].map(|i| {
+    let near = |i: usize| part.mul_add(to[i].approx() - from[i].approx(), from[i].approx());
+    let exactly = |i: usize| {
         let (a, b) = (from[i].to_fraction(), to[i].to_fraction());
-        S::nearest(&(&a + (&b - &a) * &part))
+        S::nearest(&(&a + (&b - &a) * &fraction))
+    };
+    let are_doubles = [from, to].map(doubles).iter().all(Option::is_some);
+    let place = [0, 1].map(|i| {
+        let near = S::nearest_of_double(near(i)).filter(|_| are_doubles);
+        near.unwrap_or_else(|| exactly(i))
     });
     let radius = exponent.exp2();
     (place, Kind::OnPart(Some(Shell { corner, radius })))

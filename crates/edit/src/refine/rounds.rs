@@ -102,8 +102,26 @@ impl<S: Exact> Work<'_, '_, S> {
             )?;
             self.settle();
         }
-        let mut splits = Vec::new();
+        // Those that take a sweep come together, after all others.
+        let mut rest = Vec::new();
         for part in std::mem::take(&mut self.waiting) {
+            if self.room() == 0 {
+                self.keep(part, Reason::Limit);
+                continue;
+            }
+            match self.halfway(part) {
+                Ok(split) => {
+                    if !self.split_by_star(&split) {
+                        rest.push(part);
+                    }
+                }
+                Err(reason) => self.keep(part, reason),
+            }
+        }
+        self.settle();
+        let mut splits = Vec::new();
+        for part in rest {
+            self.waiting.remove(&part);
             let split = if splits.len() < self.room() {
                 self.split(part)
             } else {
@@ -143,6 +161,18 @@ impl<S: Exact> Work<'_, '_, S> {
                 .then_some(point)
         };
         self.sides_of(part).into_iter().filter_map(over).collect()
+    }
+
+    /// Splits a part without a sweep, where that can be.
+    fn split_by_star(&mut self, split: &Split<S>) -> bool {
+        let &[side, _] = self.sides_of(split.part).as_slice() else {
+            return false;
+        };
+        let change = self.mesh.split(split.part as usize, side, &split.place);
+        if let Some(change) = &change {
+            self.halve(std::slice::from_ref(split), change);
+        }
+        change.is_some()
     }
 
     /// Splits these parts at once, or none of them.
@@ -209,12 +239,16 @@ impl<S: Exact> Work<'_, '_, S> {
         self.taken.resize(self.labels.len(), 0);
         let mut points = Vec::new();
         for bad in bad {
-            let candidate = if points.len() < self.room() {
-                self.candidate(&bad)
-            } else {
+            if points.len() >= self.room() {
                 self.bad.push(bad);
                 break;
-            };
+            }
+            // A triangle that goes, or whose neighbours go, is looked at in the next round.
+            if self.taken[bad.t as usize] == round {
+                self.bad.push(bad);
+                continue;
+            }
+            let candidate = self.candidate(&bad);
             match candidate {
                 Candidate::Stays(reason) => self.stay(&bad, reason),
                 Candidate::Parts(parts) => self.split_instead(&bad, &parts),
