@@ -2,8 +2,9 @@
 //!
 //! The method is Delaunay refinement (Ruppert 1995) with lenses (Chew 1993), off-centers (Üngör 2004), and shells around sharp
 //! corners of the input (Ruppert 1995; Miller, Pav and Walkington 2003). Points come in **rounds**: first the parts of
-//! edges that are encroached are split, then triangles that break a bound get a new vertex each, the worst first, as long
-//! as no two of their regions share a triangle. So a round does what single insertions would do, in one batch of edits.
+//! edges that are encroached are split, then triangles that break a bound get a new vertex each, as long as no two of
+//! their regions share a triangle. Small angles come before large areas, those of short sides first (as in Shewchuk's
+//! Triangle), then the largest. So a round does what single insertions would do, in one batch of edits.
 //!
 //! ```text
 //!        r                     The new vertex x of the triangle p q r lies on the bisector of its shortest side, at

@@ -61,12 +61,12 @@ impl<S: Exact> Work<'_, '_, S> {
             let vertices = self.mesh.mesh.triangle(t).expect("a triangle");
             let corners = vertices.map(|v| self.mesh.points.place(v));
             if let Some(bound) = self.bounds_of(t).broken(corners) {
-                let badness = badness(corners, bound);
+                let rank = rank(corners, bound);
                 self.bad.push(Bad {
                     t,
                     vertices,
                     bound,
-                    badness,
+                    rank,
                 });
             }
         }
@@ -231,11 +231,11 @@ impl<S: Exact> Work<'_, '_, S> {
         }
     }
 
-    /// Inserts vertices for the triangles that break a bound, the worst first.
+    /// Inserts vertices for the triangles that break a bound, in the order of their ranks.
     fn insert(&mut self, round: u32) -> Result<(), EditError> {
         let mut bad = std::mem::take(&mut self.bad);
         bad.retain(|bad| self.is_waiting(bad));
-        bad.sort_by(|a, b| a.bound.cmp(&b.bound).then(b.badness.total_cmp(&a.badness)));
+        bad.sort_by(|a, b| a.bound.cmp(&b.bound).then(b.rank.total_cmp(&a.rank)));
         self.taken.resize(self.labels.len(), 0);
         let mut points = Vec::new();
         for bad in bad {
@@ -300,19 +300,16 @@ impl<S: Exact> Work<'_, '_, S> {
     }
 }
 
-/// How bad a triangle is that breaks this bound.
-fn badness<S: Exact>(corners: [&[S; 2]; 3], bound: Broken) -> f64 {
+/// How soon a triangle that breaks this bound gets a vertex.
+fn rank<S: Exact>(corners: [&[S; 2]; 3], bound: Broken) -> f64 {
     let near = corners.map(|corner| corner.each_ref().map(S::approx));
     let [a, b, c] = near;
     let squared = |[x, y]: [f64; 2], [z, w]: [f64; 2]| (z - x).powi(2) + (w - y).powi(2);
     let sides = [squared(a, b), squared(b, c), squared(c, a)];
     let area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
     match bound {
-        // The sine of the least angle is the area by the two longer sides.
-        Broken::Angle => {
-            sides.iter().product::<f64>()
-                / (area * area * sides.iter().copied().fold(f64::INFINITY, f64::min))
-        }
+        // Small triangles first: what comes for them often mends the larger ones beside them.
+        Broken::Angle => sides.iter().copied().fold(f64::INFINITY, f64::min).recip(),
         Broken::Area => area,
         Broken::Side => sides.iter().copied().fold(0.0, f64::max),
     }

@@ -100,8 +100,8 @@ pub(super) struct Bad {
     pub(super) t: u32,
     pub(super) vertices: [u32; 3],
     pub(super) bound: Broken,
-    /// The greater, the worse.
-    pub(super) badness: f64,
+    /// The greater, the sooner it gets a vertex.
+    pub(super) rank: f64,
 }
 
 /// The angle of lenses where no angle is asked for.
