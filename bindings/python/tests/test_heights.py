@@ -335,7 +335,7 @@ def judged_values(points, values, shares, convert):
 
 
 @pytest.mark.parametrize("convert", [float, Fraction])
-@pytest.mark.parametrize("coordinate", [NEAR, SMALL, st.floats(-1e3, 1e3)])
+@pytest.mark.parametrize("coordinate", [NEAR, SMALL, st.floats(-1e3, 1e3), st.floats(-1.7e308, 1.7e308)])
 @given(data=st.data())
 def test_values_are_those_of_fractions(coordinate, convert, data):
     points = data.draw(st.lists(st.tuples(coordinate, coordinate), min_size=3, max_size=7))

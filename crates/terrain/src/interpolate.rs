@@ -59,9 +59,12 @@ pub(crate) fn along<S: Exact>(
         } else {
             (y - fy) / dy
         };
-        heights[0] + share * (heights[1] - heights[0])
+        // A share of an infinite way would be 0.
+        let is_finite = dx.is_finite() && dy.is_finite();
+        is_finite.then_some(heights[0] + share * (heights[1] - heights[0]))
     };
-    let doubles = S::APPROX_IS_EXACT.then(height).filter(|x| x.is_finite());
+    let doubles = S::APPROX_IS_EXACT.then(height).flatten();
+    let doubles = doubles.filter(|x| x.is_finite());
     let height = doubles.unwrap_or_else(|| {
         let [from, to] = ends.map(fraction);
         let point = fraction(point);
@@ -104,7 +107,8 @@ fn in_doubles([x, y]: [f64; 2], corners: [[f64; 2]; 3], heights: [f64; 3]) -> Op
     let [wa, wb, wc] = products.map(|[plus, minus]| plus - minus);
     let error: f64 = products.iter().flatten().map(|x| x.abs()).sum();
     let area = wa + wb + wc;
-    let is_accurate = area > SMALLEST && 4.0 * f64::EPSILON * error <= ACCURACY * area;
+    let is_in_range = area > SMALLEST && error.is_finite();
+    let is_accurate = is_in_range && 4.0 * f64::EPSILON * error <= ACCURACY * area;
     let [za, zb, zc] = heights;
     let height = za + (wb * (zb - za) + wc * (zc - za)) / area;
     (is_accurate && height.is_finite()).then_some(height)

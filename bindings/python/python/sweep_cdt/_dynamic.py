@@ -111,10 +111,10 @@ class DynamicTriangulation:
         # What is gone had numbers, too: it comes as points that equal others and edges of no length, and goes again.
         of_point, ends = np.zeros(next_point, dtype=np.intp), np.zeros((next_edge, 2), dtype=np.uintp)
         of_point[numbers], ends[edges] = np.arange(len(numbers)), given.edges
-        places = given.places(of_point.tolist() if len(numbers) else [])
-        if not len(numbers):
-            zeros = np.zeros((next_point, 2))
-            places = as_points(zeros.astype(object)) if given.is_exact and next_point else places if given.is_exact else zeros
+        if len(numbers):
+            places = given.places(of_point.tolist())
+        else:
+            places = as_points(np.zeros((next_point, 2), dtype=object if given.is_exact else float))
         core = _native.Dynamic(given.is_exact)
         core.edit(places, ends, NO_EDGES, [], [])
         gone = (np.setdiff1d(np.arange(count), of).tolist() for count, of in ((next_point, numbers), (next_edge, edges)))
