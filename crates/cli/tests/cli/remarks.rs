@@ -106,12 +106,25 @@ fn what_is_not_read_is_named_with_what_helps() {
         assert!(!said.contains("--columns"), "{said}");
     }
     let folder = folder(&[
-        ("town.json", r#"{"type": "CityJSON", "transform": {}, "vertices": [[0, 0, 0]]}"#),
-        ("query.json", r#"{"features": [{"attributes": {}, "geometry": {"x": 0, "y": 1}}]}"#),
-        ("hexadecimal.wkt", "0101000000000000000000F03F000000000000F03F\n"),
+        (
+            "town.json",
+            r#"{"type": "CityJSON", "transform": {}, "vertices": [[0, 0, 0]]}"#,
+        ),
+        (
+            "query.json",
+            r#"{"features": [{"attributes": {}, "geometry": {"x": 0, "y": 1}}]}"#,
+        ),
+        (
+            "hexadecimal.wkt",
+            "0101000000000000000000F03F000000000000F03F\n",
+        ),
     ]);
     for (file, named, help) in [
-        ("town.json", "this is CityJSON", "`cjio FILE export obj FILE.obj`"),
+        (
+            "town.json",
+            "this is CityJSON",
+            "`cjio FILE export obj FILE.obj`",
+        ),
         ("query.json", "this is Esri's JSON", "`ogr2ogr -f GeoJSON`"),
         ("hexadecimal.wkt", "is WKB", "ST_AsEWKT"),
     ] {
@@ -125,12 +138,21 @@ fn what_is_not_read_is_named_with_what_helps() {
 #[test]
 fn a_column_of_shapes_is_read_alone() {
     let folder = folder(&[
-        ("column.wkt", "WKT\n\"POLYGON ((0 0, 4 0, 0 4, 0 0))\"\nPOINT (9 9)\n\"LINEARRING (5 0, 6 0, 6 1, 5 0)\"\n"),
-        ("measured.geojson", r#"{"type": "LineString", "coordinates": [[0, 0, 1, 7], [4, 0, 2, 8], [0, 4, 3]]}"#),
+        (
+            "column.wkt",
+            "WKT\n\"POLYGON ((0 0, 4 0, 0 4, 0 0))\"\nPOINT (9 9)\n\"LINEARRING (5 0, 6 0, 6 1, 5 0)\"\n",
+        ),
+        (
+            "measured.geojson",
+            r#"{"type": "LineString", "coordinates": [[0, 0, 1, 7], [4, 0, 2, 8], [0, 4, 3]]}"#,
+        ),
     ]);
     let output = run(&folder, "triangulate column.wkt");
     let out = text(&output.stdout);
-    assert!(out.starts_with("column.wkt: points 7, duplicates 0, edges 6"), "{out}");
+    assert!(
+        out.starts_with("column.wkt: points 7, duplicates 0, edges 6"),
+        "{out}"
+    );
     let output = run(&folder, "triangulate measured.geojson");
     let said = text(&output.stderr);
     assert_eq!(said, "note: measured.geojson: ignored: 2 measures\n");
@@ -182,13 +204,24 @@ fn maps_that_mean_something_else_get_a_word() {
     let line = "[[179, -17], [-179.5, -17], [-179.5, -16], [179, -16]]";
     let degrees = folder(&[
         ("srid.wkt", &format!("SRID=4326;POLYGON (({ring}))")),
-        ("crs.geojson", &format!(r#"{{"type": "LineString", "crs": {crs}, "coordinates": {line}}}"#)),
+        (
+            "crs.geojson",
+            &format!(r#"{{"type": "LineString", "crs": {crs}, "coordinates": {line}}}"#),
+        ),
         ("swiss.wkt", &format!("SRID=2056;POLYGON (({ring}))")),
     ]);
-    for (file, is_said) in [("srid.wkt", true), ("crs.geojson", true), ("swiss.wkt", false)] {
+    for (file, is_said) in [
+        ("srid.wkt", true),
+        ("crs.geojson", true),
+        ("swiss.wkt", false),
+    ] {
         let output = run(&degrees, &format!("triangulate {file}"));
         let said = text(&output.stderr);
-        assert_eq!(said.contains("2 edges span more than 180 degrees"), is_said, "{file}: {said}");
+        assert_eq!(
+            said.contains("2 edges span more than 180 degrees"),
+            is_said,
+            "{file}: {said}"
+        );
     }
     let (_, said) = done("triangulate outline_traced_twice.geojson");
     assert!(

@@ -102,12 +102,17 @@ fn what_is_no_height_is_said() {
     for (heights, said) in [
         ("-9999 -32768 7", vec![(-9999.0, 1), (-32768.0, 1)]),
         ("1e20 1e20 -32767", vec![(1e20, 2), (-32767.0, 1)]),
-        ("-3.4e38 -3.40282346638529e+38 7", vec![(-3.4e38, 1), (-3.40282346638529e38, 1)]),
+        (
+            "-3.4e38 -3.40282346638529e+38 7",
+            vec![(-3.4e38, 1), (-3.40282346638529e38, 1)],
+        ),
         ("9999 -999 32767", vec![]),
     ] {
         let rows = heights.split(' ').map(|z| format!("0 {z} {z}\n"));
         let file = file(&Source::new("a", rows.collect::<String>())).with_voids_said();
-        let voids = said.into_iter().map(|(value, count)| Remark::Void { value, count });
+        let voids = said
+            .into_iter()
+            .map(|(value, count)| Remark::Void { value, count });
         assert_eq!(file.remarks, voids.collect::<Vec<_>>(), "{heights}");
     }
     // One that is named leaves the others.
@@ -115,7 +120,10 @@ fn what_is_no_height_is_said() {
     let said = file.without_value(-9999.0).with_voids_said().remarks;
     let (value, count) = (1e30, 1);
     assert_eq!(said[1..], [Remark::Void { value, count }]);
-    assert_eq!(said[1].to_string(), "1 height is 1e30, which often means that there is none");
+    assert_eq!(
+        said[1].to_string(),
+        "1 height is 1e30, which often means that there is none"
+    );
 }
 
 #[test]

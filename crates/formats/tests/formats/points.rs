@@ -237,9 +237,17 @@ fn wrong_rows_are_named() {
         "file:1: of the columns `Survey`, `of`, `2024` none are called x and y, or easting and northing, or longitude and \
          latitude: rename two of them, or put `#` before what is no row",
     );
-    for shapes in ["1,POINT (0 0)\n", "\"SRID=2056;POINT(1 2)\"\n", "id,wkt_geom\n1,x\n", "id,Shape\n1,x\n"] {
+    for shapes in [
+        "1,POINT (0 0)\n",
+        "\"SRID=2056;POINT(1 2)\"\n",
+        "id,wkt_geom\n1,x\n",
+        "id,Shape\n1,x\n",
+    ] {
         let refused = input(shapes.as_bytes()).expect_err("shapes");
-        assert!(refused.contains("holds shapes: they are read from a .wkt"), "{refused}");
+        assert!(
+            refused.contains("holds shapes: they are read from a .wkt"),
+            "{refused}"
+        );
     }
     assert_refused(
         "x,y,a\n1,2,5\n1,3,1e999\n",

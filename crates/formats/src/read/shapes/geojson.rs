@@ -126,7 +126,10 @@ pub(crate) fn foreign(source: &Source) -> Option<ReadError> {
     let ogr = "`ogr2ogr -f GeoJSON` makes a .geojson of it";
     let (form, help) = match value("type") {
         Some("\"Topology\"") => ("TopoJSON", ogr),
-        Some("\"CityJSON\"") => ("CityJSON", "`cjio FILE export obj FILE.obj` makes an .obj of it"),
+        Some("\"CityJSON\"") => (
+            "CityJSON",
+            "`cjio FILE export obj FILE.obj` makes an .obj of it",
+        ),
         None if is_esri => ("Esri's JSON", ogr),
         _ => return None,
     };

@@ -27,8 +27,8 @@ use std::collections::HashMap;
 
 use crate::read::content::{Edges, Field, NO_COMMAS, Syntax, Vertices};
 use crate::read::names::{Places, only, places};
-use crate::read::shapes::wkt;
 use crate::read::remarks::Remarks;
+use crate::read::shapes::wkt;
 use crate::read::source::{ReadError, ReadErrorKind, Source, quoted};
 use crate::read::text::rows::{Rows, Separator, text};
 use crate::{Column, CoordinateError, Remark};
@@ -237,7 +237,9 @@ impl Header {
             let is_it = |field: &&[u8]| text(field) == name;
             let in_any_case = |field: &&[u8]| text(field).to_lowercase() == name.to_lowercase();
             let mut fields = row.iter();
-            fields.position(is_it).or_else(|| row.iter().position(in_any_case))
+            fields
+                .position(is_it)
+                .or_else(|| row.iter().position(in_any_case))
         };
         let names = |row: &[&[u8]]| row.iter().map(|name| text(name)).collect::<Vec<String>>();
         let place = |name: &String| {
@@ -248,7 +250,11 @@ impl Header {
             let by_name = || named(fields, name).or_else(|| named(comment, name));
             let none = || {
                 let row = if is_row(fields) { comment } else { fields };
-                let names = row.iter().take(8).map(|&name| quoted(name)).collect::<Vec<String>>();
+                let names = row
+                    .iter()
+                    .take(8)
+                    .map(|&name| quoted(name))
+                    .collect::<Vec<String>>();
                 let names = match names.is_empty() {
                     true => String::new(),
                     false => format!(" of {}", names.join(", ")),
