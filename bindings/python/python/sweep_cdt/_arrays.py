@@ -81,7 +81,8 @@ def as_array(given: Any, name: str, missing: bool = False, columns: int | None =
 def _ragged(rows: Any, name: str, columns: int | None) -> ShapeError:
     """The error for rows of several lengths: the first that has not so many numbers."""
     for position, row in enumerate(rows if columns else ()):
-        length = len(row) if hasattr(row, "__len__") and np.ndim(row) else None
+        # A masked row has no length, though it has the method.
+        length = len(row) if hasattr(row, "__len__") and row is not np.ma.masked else None
         if length != columns:
             what = (
                 f"is no {'pair' if columns == 2 else 'triple'}"

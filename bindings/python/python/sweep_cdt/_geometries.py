@@ -59,12 +59,12 @@ def as_geometries(given: Any, name: str = "points", height: str | None = None) -
         # A frame of pandas, of which a column has geometries.
         columns = [given.iloc[:, at] for at in range(given.shape[1])]
         named = [column for column in columns if column.name == "geometry"]
-        found = [inner for column in named or columns if (inner := _of_column(column, name)) is not None]
-        if len(found) > 1:
+        held = [inner for column in named or columns if (inner := _of_column(column, name)) is not None]
+        if len(held) > 1:
             raise KindError(f"{name} has several columns of geometries: pass one of them")
-        for inner in found:
+        for inner in held:
             _raise(inner, given, height)
-        return found[0] if found else None
+        return held[0] if held else None
     if hasattr(given, "dtype"):
         members = np.asarray(given).ravel() if given.dtype == object else ()
     else:
@@ -129,12 +129,12 @@ def _raise(found: Geometries, frame: Any, height: str | None) -> None:
     numbers = {}
     of_numbers = frame.select_dtypes("number").columns
     for at, label in enumerate(frame.columns):
-        column, values = str(label), frame.iloc[:, at]
-        if (column == height) if height is not None else _native.named_height([column]) is not None:
+        name, values = str(label), frame.iloc[:, at]
+        if (name == height) if height is not None else _native.named_height([name]) is not None:
             # Databases and files of text have numbers as objects.
-            doubles = as_values(values, len(frame), column) if label in of_numbers else np.array([*map(_number, values)])
+            doubles = as_values(values, len(frame), name) if label in of_numbers else np.array([*map(_number, values)])
             if np.isfinite(doubles).any():
-                numbers[column] = doubles
+                numbers[name] = doubles
     if (column := _height(numbers, height)) is not None:
         found.heights, found.height_name = numbers[column], column
 

@@ -105,7 +105,7 @@ def interpolate(
     for column in columns.T:
         if len(self.duplicates):
             say(of_equal(self, column, "values")[1], strict)
-        if not np.array_equal(column, self.heights, equal_nan=True):
+        if self.heights is None or not np.array_equal(column, self.heights, equal_nan=True):
             say(_native.voids(np.ascontiguousarray(column)))
     result = np.full((len(finite), columns.shape[1]), np.nan)
     found = self._core.interpolate(self._input, self.rule, columns, (points, queries), within)
