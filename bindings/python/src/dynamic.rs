@@ -121,6 +121,11 @@ impl Dynamic {
         ))
     }
 
+    /// The numbers of the next point and of the next edge.
+    fn next_numbers(&self, py: Python<'_>) -> [usize; 2] {
+        with_state!(&*self.lock(py), |state| state.next_numbers())
+    }
+
     /// All triangles in canonical order.
     fn triangles<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<usize>>> {
         let list = with_state!(&*self.lock(py), |state| state.canonical_triangles());

@@ -10,7 +10,7 @@ use num_rational::BigRational;
 use numpy::{Element, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::exceptions::PyZeroDivisionError;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyType};
 use sweep_cdt::interior::Ring;
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::{Pslg, Region};
@@ -73,6 +73,13 @@ impl ExactPoints {
 
     fn __len__(&self) -> usize {
         self.points.len()
+    }
+
+    /// For pickles and copies.
+    fn __reduce__<'py>(
+        slf: &Bound<'py, ExactPoints>,
+    ) -> (Bound<'py, PyType>, (Vec<BigInt>, Vec<BigInt>)) {
+        (slf.get_type(), slf.get().parts())
     }
 
     /// The numerators and the denominators.

@@ -58,7 +58,8 @@ mod _native {
     use crate::refine::refine;
     #[pymodule_export]
     use crate::remarks::{
-        half_of_the_globe, height_property, ignored, off_terrain, without_heights,
+        half_of_the_globe, height_property, ignored, is_of_degrees, off_terrain, voids,
+        without_heights,
     };
     #[pymodule_export]
     use crate::rule::inside;

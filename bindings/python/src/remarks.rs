@@ -4,7 +4,7 @@ use numpy::{PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 use sweep_cdt::interior::Interior;
 use sweep_cdt::{Pslg, Triangulation};
-use sweep_cdt_formats::{Column, Coordinate, GraphFile, Polygons, Remark};
+use sweep_cdt_formats::{Column, Coordinate, CoordinateSystem, GraphFile, Polygons, Remark};
 
 use crate::input::{Graph, rows};
 
@@ -54,8 +54,11 @@ impl<'py> IntoPyObject<'py> for Remarks {
         let made = self.0.into_iter().map(|remark| {
             let numbers = loads.call1((remark.numbers().to_string(),))?;
             let mut words = remark.to_string();
-            if let Some((argument, does)) = remark.setting() {
-                words = format!("{words} (argument {argument}: {does})");
+            match (&remark, remark.setting()) {
+                // Arrays have another way to say so than files.
+                (Remark::Void { .. }, _) => words += " (NaN or a mask would say so)",
+                (_, Some((argument, does))) => words += &format!(" (argument {argument}: {does})"),
+                (_, None) => {}
             }
             class.call1((remark.name(), words, remark.is_loss(), numbers))
         });
@@ -106,15 +109,31 @@ pub(crate) fn as_file<S: Coordinate>(
 /// The remark on vertices without a height, if others have one.
 #[pyfunction]
 pub(crate) fn without_heights(heights: PyReadonlyArray1<'_, f64>) -> Remarks {
+    let remark = sweep_cdt_engine::without_heights(&of_heights(&heights));
+    Remarks(remark.into_iter().collect())
+}
+
+/// The remarks on heights that often mean that there is none.
+#[pyfunction]
+pub(crate) fn voids(heights: PyReadonlyArray1<'_, f64>) -> Remarks {
+    Remarks(of_heights(&heights).with_voids_said().remarks)
+}
+
+/// Whether the member `crs` of a document names a system of longitudes and latitudes.
+#[pyfunction]
+pub(crate) fn is_of_degrees(name: &str) -> bool {
+    CoordinateSystem::named(name).is_of_degrees()
+}
+
+/// A file of the engine whose vertices have heights and no places.
+fn of_heights(heights: &PyReadonlyArray1<'_, f64>) -> GraphFile<()> {
     let heights = heights.as_array().to_vec();
-    let file = GraphFile {
+    GraphFile {
         graph: Pslg {
             points: vec![[(); 2]; heights.len()],
             ..Pslg::default()
         },
         columns: vec![Column::heights(heights)],
         ..GraphFile::default()
-    };
-    let remark = sweep_cdt_engine::without_heights(&file);
-    Remarks(remark.into_iter().collect())
+    }
 }

@@ -1,5 +1,7 @@
 """The triangulation that changes: after any edits it is that of a fresh run, and what is refused changes nothing."""
 
+import copy
+import pickle
 import threading
 from fractions import Fraction
 
@@ -66,6 +68,11 @@ def test_any_history_is_a_fresh_run(kind, steps):
             old, gone_ones, new_ones, now = ({tuple(map(int, t)) for t in some} for some in lists)
             assert old - gone_ones | new_ones == now
         triangles = dynamic.triangles.tolist()
+        # A copy goes on with the next numbers, and by itself.
+        kept, dynamic = dynamic, [copy.copy, copy.deepcopy, lambda given: pickle.loads(pickle.dumps(given))][len(points) % 3](dynamic)
+        assert state(dynamic) == state(kept)
+        kept.insert([[kind(7), kind(7)]])
+        assert state(dynamic) == [triangles, *there]
         assert dynamic.triangulation().canonical().tolist() == [
             [sorted(points).index(v) for v in corners] for corners in triangles
         ]

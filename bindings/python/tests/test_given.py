@@ -5,6 +5,7 @@ missing.
 """
 
 import decimal
+import pathlib
 from fractions import Fraction
 
 import numpy as np
@@ -137,6 +138,27 @@ def test_whole_numbers_beside_doubles_are_not_rounded():
         assert sweep_cdt.triangulate(form).points.tolist() == rows, type(form)
 
 
+def test_a_row_that_is_masked_is_refused():
+    with pytest.raises(sweep_cdt.ShapeError, match=r"points\[4\] is no pair"):
+        sweep_cdt.triangulate([*SQUARE, np.ma.masked])
+    room = sweep_cdt.DynamicTriangulation(SQUARE)
+    for numbers in (np.ma.array([0, 1], mask=[0, 1]), [0, np.ma.masked], [0, None]):
+        with pytest.raises(sweep_cdt.KindError, match="remove_points"):
+            room.remove(numbers)
+    assert len(room.points) == 4
+
+
+def test_a_column_of_objects():
+    pandas = pytest.importorskip("pandas")
+    rows = [[0.5, 0], [1, 0.25], [np.float64(0.1), np.int64(7)]]
+    result = sweep_cdt.triangulate(pandas.DataFrame(rows, columns=["x", "y"], dtype=object))
+    assert result.points.dtype == float and result.points.tolist() == rows
+    with pytest.raises(sweep_cdt.KindError, match=r"points\[1, 1\] is masked or missing"):
+        sweep_cdt.triangulate(pandas.DataFrame([[0, 1], [1, None]], dtype=object))
+    with pytest.raises(sweep_cdt.KindError, match=r"points\[0, 0\] is no number but of the type bool"):
+        sweep_cdt.triangulate(pandas.DataFrame({"x": [True, False], "y": [0, 1]}))
+
+
 def test_decimals_of_a_column():
     pandas = pytest.importorskip("pandas")
     frame = pandas.DataFrame({"x": [decimal.Decimal("0.1"), decimal.Decimal(1)], "y": [0, 1]})
@@ -206,6 +228,10 @@ def wrappings(shapely, features):
     array = series.to_numpy()
     yield from (series, series.values, array, series.tolist(), tuple(features), iter(features), (g for g in features))
     yield from (pandas.Series(array), pandas.DataFrame({"geometry": array}), geopandas.GeoDataFrame(geometry=series))
+    # A column of another name, and what pandas has where a geometry is missing.
+    yield pandas.DataFrame({"name": "a", "shape": array, "x": 1})
+    yield [float("nan") if g is None else g for g in features]
+    yield [pandas.NA if g is None else g for g in features]
     yield from (
         Own(geometry=series).rename_geometry("shape"),
         series.__geo_interface__,
@@ -287,6 +313,22 @@ def test_every_document_ends_well(junk):
 
 def test_what_is_among_geometries():
     shapely = pytest.importorskip("shapely")
+    pandas = pytest.importorskip("pandas")
+    text, shapes = "POINT (0 0)", [shapely.Point(0, 0)]
+    for form in (text, [text], pandas.Series([text]), pandas.DataFrame({"geometry": [text]})):
+        with pytest.raises(sweep_cdt.KindError, match=r"shapely\.from_wkt"):
+            sweep_cdt.triangulate(form)
+    for form in (shapes[0].wkb, [shapes[0].wkb]):
+        with pytest.raises(sweep_cdt.KindError, match=r"shapely\.from_wkb"):
+            sweep_cdt.triangulate(form)
+    with pytest.raises(sweep_cdt.KindError, match="PosixPath|WindowsPath"):
+        sweep_cdt.triangulate(pathlib.Path("map.geojson"))
+    with pytest.raises(sweep_cdt.KindError, match="edges has geometries, and no positions"):
+        sweep_cdt.triangulate(SQUARE, shapes)
+    with pytest.raises(sweep_cdt.KindError, match="several columns of geometries"):
+        sweep_cdt.triangulate(pandas.DataFrame({"a": shapes, "b": shapes}))
+    with pytest.raises(sweep_cdt.KindError, match="values is None"):
+        HILL.interpolate(HILL.heights, [[1, 1]])
     with pytest.raises(sweep_cdt.KindError, match=r"points\[1\] is no geometry but of the type list"):
         sweep_cdt.triangulate([shapely.Point(0, 0), [1, 2]])
 

@@ -1,5 +1,6 @@
 """Heights: z and coordinate systems go through every type of geometry, and values at points are those of fractions."""
 
+import decimal
 import json
 import pickle
 import subprocess
@@ -134,11 +135,79 @@ def test_a_column_is_the_height_of_points_and_lines():
     result = sweep_cdt.triangulate(frame)
     gap = [np.nan] * 2
     assert np.array_equal(result.heights, [1, 7, *gap, *gap, np.nan], equal_nan=True)
-    (remark,) = result.remarks
+    lost, remark = result.remarks
     assert remark.numbers == {"name": "Elev (m)", "count": 1} and not remark.is_loss
+    # The third point has another z.
+    assert str(lost) == "ignored: 1 property `Elev (m)`" and lost.is_loss
     both = sweep_cdt.triangulate([frame[:1], frame.geometry[1:]])
     assert np.array_equal(both.heights, result.heights, equal_nan=True)
     assert sweep_cdt.triangulate(frame[["name", "geometry"]][:2]).heights is None
+
+
+@pytest.mark.parametrize("kind", ["text", "decimal", "object"])
+def test_numbers_of_a_column_of_objects_are_heights(kind):
+    """PostGIS has decimals, files of text have text; a number is missing where it is none."""
+    geopandas = pytest.importorskip("geopandas")
+    make = {"text": str, "decimal": decimal.Decimal, "object": float}[kind]
+    column = np.array([make("1.5"), make("2.5"), None], dtype=object)
+    frame = geopandas.GeoDataFrame({"elev": column}, geometry=geopandas.points_from_xy([0, 4, 0], [0, 0, 4]))
+    result = sweep_cdt.triangulate(frame)
+    assert np.array_equal(result.heights, [1.5, 2.5, np.nan], equal_nan=True)
+    assert [str(remark) for remark in result.remarks] == ["heights are the property `elev` of 2 features"]
+    asked = sweep_cdt.triangulate(frame.rename(columns={"elev": "rim"}), height_property="rim")
+    assert np.array_equal(asked.heights, result.heights, equal_nan=True)
+
+
+def test_a_column_beside_other_heights_is_said():
+    """Lines of a shapefile with z of 0 everywhere, and their heights in a column."""
+    geopandas = pytest.importorskip("geopandas")
+    import shapely
+
+    lines = shapely.from_wkt(["LINESTRING Z (0 0 0, 4 0 0)", "LINESTRING Z (0 4 0, 4 4 0)"])
+    frame = geopandas.GeoDataFrame({"ELEV": [10, 20]}, geometry=lines)
+    with pytest.warns(sweep_cdt.RemarkWarning, match="ignored: 2 properties `ELEV`"):
+        assert sweep_cdt.triangulate(frame).heights.tolist() == [0] * 4
+    with pytest.raises(sweep_cdt.RemarkError, match="`ELEV`"):
+        sweep_cdt.triangulate(frame, strict=True)
+    assert sweep_cdt.triangulate(frame, height_property="ELEV", strict=True).heights.tolist() == [10, 10, 20, 20]
+    # Where both say the same, nothing is lost.
+    assert sweep_cdt.triangulate(frame.assign(ELEV=0)).remarks == ()
+
+
+def test_positions_of_a_document_need_not_be_alike(command, tmp_path):
+    """A height may be null or not there, and measures are ignored, as by the command."""
+    pytest.importorskip("shapely")
+    line = {"type": "LineString", "coordinates": [[0, 0], [4, 0, 1, 9], [4, 4, None], [0, 4, 2, 7]]}
+    whole = {"type": "GeometryCollection", "geometries": [line, {"type": "MultiPoint", "coordinates": [[9, 9, 3], [8, 9]]}]}
+    (tmp_path / "map.geojson").write_text(json.dumps(whole))
+    arguments = [command, "triangulate", "map.geojson", "-o", "map.json"]
+    ran = subprocess.run(arguments, cwd=tmp_path, capture_output=True, text=True)
+    theirs = json.loads((tmp_path / "map.json").read_text())["points"]
+    wanted = {(*place[:2],): place[2] if len(place) > 2 else None for place in theirs}
+    for form in (whole, [whole], {"type": "Feature", "properties": None, "geometry": whole}):
+        with pytest.warns(sweep_cdt.RemarkWarning, match="ignored: 2 measures"):
+            result = sweep_cdt.triangulate(form)
+        heights = [None if np.isnan(z) else z for z in result.heights]
+        assert dict(zip(map(tuple, result.points.tolist()), heights)) == wanted
+    assert "ignored: 2 measures" in ran.stderr and wanted[8, 9] is None
+
+
+def test_the_number_of_a_geometry_is_a_coordinate_system():
+    """As PostGIS hands them out: `shapely.get_srid`."""
+    geopandas = pytest.importorskip("geopandas")
+    import shapely
+
+    square, hole = shapely.set_srid(shapely.box(0, 0, 4, 4), 2056), shapely.Point(1, 1)
+    for form in (square, [square], [None, square, shapely.box(5, 5, 6, 6)], np.array([square])):
+        assert sweep_cdt.triangulate(form).to_geodataframe().crs.to_epsg() == 2056
+    assert sweep_cdt.triangulate([square, geopandas.GeoSeries([hole], crs=2056)]).crs is not None
+    with pytest.raises(sweep_cdt.Error, match="EPSG:2056 and EPSG:25832"):
+        sweep_cdt.triangulate([square, shapely.set_srid(hole, 25832)])
+    other = geopandas.GeoSeries([hole], crs=4326)
+    with pytest.raises(sweep_cdt.Error, match="holes has two coordinate systems, EPSG:2056 and EPSG:4326"):
+        sweep_cdt.triangulate(square, holes=other)
+    with pytest.raises(sweep_cdt.Error, match="holes has two coordinate systems"):
+        sweep_cdt.triangulate([], polygons=geopandas.GeoSeries([square], crs=2056), holes=other)
 
 
 def test_tables_beside_geometries_are_points_of_one_terrain():
@@ -151,8 +220,11 @@ def test_tables_beside_geometries_are_points_of_one_terrain():
     border = shapely.Polygon([(0, 0), (9, 0), (9, 9), (4, 6), (0, 9)])
     rows = np.array([[4, 2, 5], [6, 3, 7.5]])
     named = pandas.DataFrame({"h": rows[:, 2], "north": rows[:, 1], "east": rows[:, 0]})
+    fields = np.rec.fromarrays(rows.T, names="x,y,z").view(np.ndarray)
     for table, places in [
         (rows, rows),
+        (fields, rows),
+        (np.ma.array(rows, mask=rows == 5), np.where(rows == 5, np.nan, rows)),
         (named, rows),
         (pandas.DataFrame(rows), rows),
         (rows[:, :2].astype(int), rows[:, :2].astype(int)),
@@ -263,7 +335,7 @@ def judged_values(points, values, shares, convert):
 
 
 @pytest.mark.parametrize("convert", [float, Fraction])
-@pytest.mark.parametrize("coordinate", [NEAR, SMALL, st.floats(-1e3, 1e3)])
+@pytest.mark.parametrize("coordinate", [NEAR, SMALL, st.floats(-1e3, 1e3), st.floats(-1.7e308, 1.7e308)])
 @given(data=st.data())
 def test_values_are_those_of_fractions(coordinate, convert, data):
     points = data.draw(st.lists(st.tuples(coordinate, coordinate), min_size=3, max_size=7))

@@ -79,6 +79,28 @@ def test_geometries_and_crossings_that_contradict_each_other():
             call(points)
 
 
+def test_heights_that_often_mean_that_there_is_none():
+    """What rasters and netCDF write: the words of the command, for all that has heights, and for values."""
+    shapely = pytest.importorskip("shapely")
+    places, words = [(0, 0), (4, 0), (0, 4)], "height is -9999, which often means that there is none"
+    fields = np.array([(*place, z) for place, z in zip(places, [1, -9999, 2])], dtype=[(name, float) for name in "xyz"])
+    for form in (fields, {"vertices": places, "vertex_attributes": fields["z"]}, [shapely.Point(*row) for row in fields.tolist()]):
+        with pytest.warns(sweep_cdt.RemarkWarning, match=f"1 {words} .NaN or a mask") as caught:
+            (remark,) = sweep_cdt.triangulate(form).remarks
+        assert remark.kind == "void" and not remark.is_loss and len(caught) == 1
+        assert remark.numbers == {"value": -9999, "count": 1}
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        result = sweep_cdt.triangulate(fields)
+        result.interpolate(result.heights, [[1, 1]])
+    assert len(caught) == 1
+    with pytest.warns(sweep_cdt.RemarkWarning, match="2 heights are 1e20"):
+        result.interpolate([[1, 1e20], [2, 1e20], [3, 4]], [[1, 1]])
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", sweep_cdt.RemarkWarning)
+        result.interpolate(np.ma.masked_values([1, 1e20, 2], 1e20), [[0, 2]])
+
+
 def test_measures_are_ignored_with_a_remark():
     shapely = pytest.importorskip("shapely")
     if not hasattr(shapely, "has_m"):
@@ -154,7 +176,8 @@ def test_what_spans_half_of_the_globe(command):
     fields = geopandas.GeoSeries([polygon], crs=4326)
     ran = subprocess.run([command, "triangulate", path.name], cwd=path.parent, capture_output=True, text=True)
     as_crs = lambda crs: fields.set_crs(crs, allow_override=True)
-    for form in (document, [document], fields, geopandas.GeoDataFrame(geometry=fields), [as_crs(4258)]):
+    degrees = {**document, "crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:OGC:1.3:CRS84"}}}
+    for form in (document, [document], degrees, fields, geopandas.GeoDataFrame(geometry=fields), [as_crs(4258)]):
         with pytest.warns(sweep_cdt.RemarkWarning, match="2 edges span more than 180 degrees") as caught:
             (remark,) = sweep_cdt.triangulate(form).remarks
         assert remark.kind == "half-of-the-globe" and remark.numbers == {"edges": 2} and not remark.is_loss

@@ -4,7 +4,7 @@ use sweep_cdt::Pslg;
 use sweep_cdt::scalar::Scalar;
 
 use crate::order::{order, sorted};
-use crate::remark::Conflicts;
+use crate::remark::{Conflicts, Voids};
 use crate::{CoordinateSystem, Layer, Numbering, Polygons, Remark};
 
 /// A graph, all in the order of its file, and what the file says beyond it.
@@ -353,7 +353,7 @@ impl<S> GraphFile<S> {
         self
     }
 
-    /// The file, and a remark if heights are a number that programs often write where there is none.
+    /// The file, and remarks on the numbers among its heights that programs often write where there is none ([`Voids`]).
     ///
     /// ```
     /// use sweep_cdt_formats::{Column, GraphFile};
@@ -364,14 +364,10 @@ impl<S> GraphFile<S> {
     /// ```
     #[must_use]
     pub fn with_voids_said(mut self) -> GraphFile<S> {
-        let usual = [-9999.0, -99999.0, -32768.0, f64::from(f32::MIN)];
         let heights = self.heights().map_or(&[][..], |column| &column.values);
-        let void = usual.into_iter().find_map(|value: f64| {
-            let is_void = |height: &&f64| height.total_cmp(&value).is_eq();
-            let count = heights.iter().filter(is_void).count();
-            (count > 0).then_some(Remark::Void { value, count })
-        });
-        self.remarks.extend(void);
+        let mut voids = Voids::default();
+        heights.iter().for_each(|&height| voids.add(height));
+        self.remarks.extend(voids.remarks());
         self
     }
 }

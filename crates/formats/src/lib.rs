@@ -53,7 +53,7 @@ pub use read::{
     Source, Triangles, WayOut, added_points, named_columns, named_height, quoted, read,
     read_result, reason,
 };
-pub use remark::{NoTriangles, Remark};
+pub use remark::{NoTriangles, Remark, Voids};
 pub use seeds::locate_seeds;
 pub use split::Splitting;
 pub use system::CoordinateSystem;

@@ -341,6 +341,10 @@ impl Remark {
             }
             Remark::Void { value, count } => {
                 let of = of(*count, "height is", "heights are");
+                let value = match value.abs() < 1e16 {
+                    true => value.to_string(),
+                    false => format!("{value:e}"),
+                };
                 format!("{of} {value}, which often means that there is none")
             }
             Remark::Classes { kept, points } => {
@@ -463,6 +467,43 @@ impl Conflicts {
             values,
             count: self.has_two.into_iter().filter(|&two| two).count(),
         })
+    }
+}
+
+/// Numbers among heights that programs often write where there is none: -9999 and others that rasters have, and all of 1e20
+/// and more, as netCDF and rasters of floats have them. The first four are counted.
+///
+/// ```
+/// use sweep_cdt_formats::{Remark, Voids};
+///
+/// let mut voids = Voids::default();
+/// [12.5, 1e20, -32768.0, 1e20].map(|height| voids.add(height));
+/// let said: Vec<String> = voids.remarks().map(|remark| remark.to_string()).collect();
+/// assert_eq!(said[0], "2 heights are 1e20, which often means that there is none");
+/// assert_eq!(said.len(), 2);
+/// ```
+#[derive(Debug, Default)]
+pub struct Voids(Vec<(f64, usize)>);
+
+impl Voids {
+    /// Counts a height, if it is such a number.
+    pub fn add(&mut self, height: f64) {
+        const USUAL: [f64; 5] = [-9999.0, -99999.0, -999_999.0, -32768.0, -32767.0];
+        let is = |value: f64| height.total_cmp(&value).is_eq();
+        if height.abs() < 9999.0 || !(height.abs() >= 1e20 || USUAL.into_iter().any(is)) {
+            return;
+        }
+        match self.0.iter().position(|&(value, _)| is(value)) {
+            Some(at) => self.0[at].1 += 1,
+            None if self.0.len() < 4 => self.0.push((height, 1)),
+            None => {}
+        }
+    }
+
+    /// What is to say about them.
+    pub fn remarks(&self) -> impl Iterator<Item = Remark> {
+        let voids = self.0.iter();
+        voids.map(|&(value, count)| Remark::Void { value, count })
     }
 }
 

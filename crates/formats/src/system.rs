@@ -21,9 +21,14 @@ pub struct CoordinateSystem {
 impl CoordinateSystem {
     /// The system of a number of the EPSG.
     pub fn of_srid(srid: u32) -> CoordinateSystem {
-        let name = format!("urn:ogc:def:crs:EPSG::{srid}");
+        CoordinateSystem::named(&format!("urn:ogc:def:crs:EPSG::{srid}"))
+    }
+
+    /// The system of this name.
+    pub fn named(name: &str) -> CoordinateSystem {
+        let name = Value::from(name);
         CoordinateSystem {
-            json: format!(r#"{{"type":"name","properties":{{"name":"{name}"}}}}"#),
+            json: format!(r#"{{"type":"name","properties":{{"name":{name}}}}}"#),
         }
     }
 
@@ -45,6 +50,20 @@ impl CoordinateSystem {
         let end = behind.find(|c: char| c != ':' && c != '.' && !c.is_ascii_digit());
         let number = behind[..end.unwrap_or(behind.len())].rsplit(':').next()?;
         number.parse().ok()
+    }
+
+    /// Whether it is one of longitudes and latitudes: `CRS84` and such, or a number of the EPSG from 4001 to 4999.
+    ///
+    /// ```
+    /// use sweep_cdt_formats::CoordinateSystem;
+    ///
+    /// assert!(CoordinateSystem::of_srid(4326).is_of_degrees());
+    /// assert!(!CoordinateSystem::of_srid(25832).is_of_degrees());
+    /// ```
+    pub fn is_of_degrees(&self) -> bool {
+        let is_named = |name: &&str| self.json.contains(name);
+        let is_of_epsg = |srid| (4001..5000).contains(&srid);
+        ["CRS84", "CRS83", "CRS27"].iter().any(is_named) || self.srid().is_some_and(is_of_epsg)
     }
 
     /// Whether it is the system of another file: by the numbers of both, or else by what their members say.

@@ -19,6 +19,8 @@ use sweep_cdt::scalar::Scalar;
 const ACCURACY: f64 = 1e-12;
 /// Areas in doubles have lost digits if they are smaller.
 const SMALLEST: f64 = 1e-250;
+/// And so have their products with differences of heights that are smaller.
+const SMALLEST_SPREAD: f64 = 1e-60;
 
 /// The coordinate at a level between two heights, the first below it and the second not, from the coordinates there. It is
 /// monotone in the level, and is the second coordinate where the level is the second height.
@@ -59,9 +61,12 @@ pub(crate) fn along<S: Exact>(
         } else {
             (y - fy) / dy
         };
-        heights[0] + share * (heights[1] - heights[0])
+        // A share of an infinite way would be 0.
+        let is_finite = dx.is_finite() && dy.is_finite();
+        is_finite.then_some(heights[0] + share * (heights[1] - heights[0]))
     };
-    let doubles = S::APPROX_IS_EXACT.then(height).filter(|x| x.is_finite());
+    let doubles = S::APPROX_IS_EXACT.then(height).flatten();
+    let doubles = doubles.filter(|x| x.is_finite());
     let height = doubles.unwrap_or_else(|| {
         let [from, to] = ends.map(fraction);
         let point = fraction(point);
@@ -104,10 +109,15 @@ fn in_doubles([x, y]: [f64; 2], corners: [[f64; 2]; 3], heights: [f64; 3]) -> Op
     let [wa, wb, wc] = products.map(|[plus, minus]| plus - minus);
     let error: f64 = products.iter().flatten().map(|x| x.abs()).sum();
     let area = wa + wb + wc;
-    let is_accurate = area > SMALLEST && 4.0 * f64::EPSILON * error <= ACCURACY * area;
+    let is_in_range = area > SMALLEST && error.is_finite();
+    let is_accurate = is_in_range && 4.0 * f64::EPSILON * error <= ACCURACY * area;
     let [za, zb, zc] = heights;
-    let height = za + (wb * (zb - za) + wc * (zc - za)) / area;
-    (is_accurate && height.is_finite()).then_some(height)
+    let [to_b, to_c] = [zb - za, zc - za];
+    let height = za + (wb * to_b + wc * to_c) / area;
+    // Products of small areas and smaller differences of heights lose digits, too.
+    let spread = to_b.abs().max(to_c.abs());
+    let is_tiny = spread > 0.0 && spread < SMALLEST_SPREAD;
+    (is_accurate && !is_tiny && height.is_finite()).then_some(height)
 }
 
 /// The nearest double to the height.

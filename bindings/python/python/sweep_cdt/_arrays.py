@@ -22,7 +22,7 @@ WHOLE = 2**53
 def by_names(given: Any, height: str | None = None) -> tuple[Any, Any]:
     """Of a frame, or of an array with fields, that names x and y, as a table does in its first row: these columns, and the
     one of heights, if it names one, or has the one that is asked for. Anything else as it is."""
-    if _has_fields(given):
+    if has_fields(given):
         names = list(given.dtype.names)
     elif _is_frame(given):
         names = [str(name) for name in getattr(given, "column_names", given.columns)]
@@ -34,7 +34,7 @@ def by_names(given: Any, height: str | None = None) -> tuple[Any, Any]:
     heights = places[2:]
     if height is not None:
         heights = [at for at in range(len(names)) if names[at] == height and at not in places[:2]][:1]
-    return _picked(given, places[:2]), _picked(given, heights) if heights else None
+    return picked(given, places[:2]), picked(given, heights) if heights else None
 
 
 def _is_frame(given: Any) -> bool:
@@ -42,13 +42,13 @@ def _is_frame(given: Any) -> bool:
     return hasattr(given, "columns") and hasattr(given, "__array__")
 
 
-def _has_fields(given: Any) -> bool:
+def has_fields(given: Any) -> bool:
     return isinstance(given, np.ndarray) and bool(given.dtype.names)
 
 
-def _picked(given: Any, places: list[int]) -> Any:
+def picked(given: Any, places: list[int]) -> Any:
     """Some columns of a frame, or fields of an array."""
-    if _has_fields(given):
+    if has_fields(given):
         return given[[given.dtype.names[at] for at in places]]
     if hasattr(given, "iloc"):
         return given.iloc[:, places]
@@ -81,7 +81,8 @@ def as_array(given: Any, name: str, missing: bool = False, columns: int | None =
 def _ragged(rows: Any, name: str, columns: int | None) -> ShapeError:
     """The error for rows of several lengths: the first that has not so many numbers."""
     for position, row in enumerate(rows if columns else ()):
-        length = len(row) if hasattr(row, "__len__") else None
+        # A masked row has no length, though it has the method.
+        length = len(row) if hasattr(row, "__len__") and row is not np.ma.masked else None
         if length != columns:
             what = (
                 f"is no {'pair' if columns == 2 else 'triple'}"
@@ -109,7 +110,7 @@ def as_values(given: Any, count: int | None, name: str = "values") -> np.ndarray
 
 def is_missing(value: Any) -> bool:
     """Whether an object stands for no value."""
-    return value is None or value is np.ma.masked or type(value).__name__ == "NAType"
+    return value is None or value is np.ma.masked or type(value).__name__ in ("NAType", "NaTType")
 
 
 def fits(array: np.ndarray) -> bool:
@@ -131,7 +132,7 @@ def _read(given: Any) -> tuple[np.ndarray, np.ndarray | None]:
     if isinstance(given, (list, tuple)) and any(isinstance(row, np.ma.MaskedArray) for row in given):
         # NumPy would drop the masks.
         given = np.ma.array(given)
-    if _has_fields(given) or _is_frame(given):
+    if has_fields(given) or _is_frame(given):
         return _of_columns(given)
     if isinstance(given, np.ma.MaskedArray):
         return np.asarray(given.data), np.ma.getmaskarray(given)
@@ -150,7 +151,7 @@ def _read(given: Any) -> tuple[np.ndarray, np.ndarray | None]:
 
 def _of_columns(given: Any) -> tuple[np.ndarray, np.ndarray | None]:
     """A frame, or an array with fields."""
-    if _has_fields(given):
+    if has_fields(given):
         columns = [given[name] for name in given.dtype.names]
     elif hasattr(given, "iloc"):
         columns = [given.iloc[:, at] for at in range(given.shape[1])]
@@ -160,8 +161,9 @@ def _of_columns(given: Any) -> tuple[np.ndarray, np.ndarray | None]:
     arrays = [array for array, _ in read]
     if not arrays:
         return np.asarray(given), None
-    if len({array.dtype.kind for array in arrays}) > 1 and not all(map(fits, arrays)):
-        # NumPy rounds whole numbers beside doubles.
+    kinds = {array.dtype.kind for array in arrays}
+    if len(kinds) > 1 and ("b" in kinds or not all(map(fits, arrays))):
+        # NumPy rounds whole numbers beside doubles, and makes numbers of true and false.
         arrays = [array.astype(object) for array in arrays]
     none = np.zeros(arrays[0].shape, dtype=bool)
     return np.stack(arrays, axis=-1), np.stack([none if mask is None else mask for _, mask in read], axis=-1)
@@ -173,8 +175,21 @@ def _of_column(given: Any) -> tuple[np.ndarray, np.ndarray | None]:
         return np.asarray(given.data), np.ma.getmaskarray(given)
     kind = getattr(getattr(given, "dtype", None), "numpy_dtype", None)
     if kind is None:
-        return np.asarray(given), None
+        array = np.asarray(given)
+        return _of_objects(array) if array.dtype == object else (array, None)
     mask = np.asarray(given.isna(), dtype=bool)
     # The number under a mask counts for nothing.
     filler = np.zeros(1, dtype=kind)[0] if kind.kind in "biuf" else None
     return given.to_numpy(dtype=kind, na_value=filler), mask
+
+
+def _of_objects(array: np.ndarray) -> tuple[np.ndarray, np.ndarray | None]:
+    """A column of objects: doubles, where all that is there are doubles and whole numbers that are."""
+    mask = np.array([is_missing(x) for x in array], dtype=bool)
+    numbers_there = array[~mask]
+    kinds = {type(x) for x in numbers_there}
+    if not kinds <= {float, int, np.float64, np.int64} or any(abs(x) > WHOLE for x in numbers_there if type(x) is not float):
+        return array, None
+    doubles = np.full(len(array), np.nan)
+    doubles[~mask] = numbers_there.astype(float)
+    return doubles, mask

@@ -165,15 +165,6 @@ class Split:
     def __repr__(self) -> str:
         return f"<Split of {self.count} edges into {len(self._edges)} pieces>"
 
-    def __getstate__(self) -> dict[str, Any]:
-        state = dict(self.__dict__)
-        state["_points"] = Input(self._points)
-        return state
-
-    def __setstate__(self, state: dict[str, Any]) -> None:
-        self.__dict__.update(state)
-        self._points = self._points.points
-
     @property
     def count(self) -> int:
         """How many edges were given."""

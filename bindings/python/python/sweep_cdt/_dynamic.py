@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from . import _native
-from ._arrays import as_values
+from ._arrays import as_array, as_values, listed
 from ._errors import KindError, ShapeError
 from ._graph import as_input
 from ._input import NO_EDGES, Input, as_edges, as_fractions, as_points, called
@@ -43,7 +43,7 @@ class DynamicTriangulation:
     After any edits the triangles are those that `triangulate` makes of the points and edges that are there. Points and
     edges have numbers from 0, in the order in which they came; a number is never used again. Equal points share a corner,
     which has the lowest of their numbers. An edit is made as a whole, or refused with an error, and then nothing has
-    changed. Threads may share a triangulation.
+    changed. Threads may share a triangulation. Copies and pickles keep the numbers.
 
     Parameters
     ----------
@@ -100,6 +100,26 @@ class DynamicTriangulation:
     def __len__(self) -> int:
         """The number of triangles."""
         return len(self.triangles)
+
+    def __getstate__(self) -> dict[str, Any]:
+        numbers, (edges, ends) = self._core.numbers(), self._core.edges()
+        given = Input(self._core.places(numbers), ends)
+        return {**self.__dict__, "_core": (given, numbers, edges, self._core.next_numbers())}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        given, numbers, edges, (next_point, next_edge) = state["_core"]
+        # What is gone had numbers, too: it comes as points that equal others and edges of no length, and goes again.
+        of_point, ends = np.zeros(next_point, dtype=np.intp), np.zeros((next_edge, 2), dtype=np.uintp)
+        of_point[numbers], ends[edges] = np.arange(len(numbers)), given.edges
+        if len(numbers):
+            places = given.places(of_point.tolist())
+        else:
+            places = as_points(np.zeros((next_point, 2), dtype=object if given.is_exact else float))
+        core = _native.Dynamic(given.is_exact)
+        core.edit(places, ends, NO_EDGES, [], [])
+        gone = (np.setdiff1d(np.arange(count), of).tolist() for count, of in ((next_point, numbers), (next_edge, edges)))
+        core.edit(given.places([]), NO_EDGES, NO_EDGES, *gone)
+        self.__dict__.update(state, _core=core)
 
     def edit(self, *, points: Any = (), edges: Any = None, remove_points: Any = (), remove_edges: Any = ()) -> Change:
         """Makes all edits at once, or none. What is removed goes first.
@@ -351,7 +371,7 @@ class DynamicTriangulation:
 
 def _numbers(given: Any, name: str) -> list[int]:
     """Numbers of points or edges, or one of them."""
-    array = np.atleast_1d(given)
+    array = np.atleast_1d(as_array(listed(given), name, columns=None))
     if array.size and (array.dtype.kind not in "iu" or array.ndim != 1):
         raise KindError(f"{name} is no list of whole numbers")
     # A negative number becomes a very large one, which there is not either.

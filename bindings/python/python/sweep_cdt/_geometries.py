@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 import numpy as np
 
 from . import _native
-from ._arrays import as_array, as_values, by_names
+from ._arrays import as_values, by_names, has_fields, is_missing, picked
 from ._errors import Error, KindError
 from ._input import Input, as_points
 from ._remarks import Remark
@@ -39,6 +39,8 @@ class Geometries:
     # The height of each feature, NaN where it has none, and the name of the property that it is, if there are any.
     heights: np.ndarray | None = None
     height_name: str = HEIGHT
+    # How many numbers stand behind the third of a position.
+    measures: int = 0
 
 
 def as_geometries(given: Any, name: str = "points", height: str | None = None) -> Geometries | None:
@@ -47,7 +49,7 @@ def as_geometries(given: Any, name: str = "points", height: str | None = None) -
     if _is_of(given, "geopandas"):
         return _of_geopandas(given, name, height)
     if _is_geometry(given):
-        return Geometries(_array([given]))
+        return _of_shape(given)
     if (document := _document(given)) is not None:
         found = _of_document(document, name, height)
         # An object need not be of longitudes and latitudes.
@@ -55,12 +57,14 @@ def as_geometries(given: Any, name: str = "points", height: str | None = None) -
         return found
     if hasattr(given, "columns") and hasattr(given, "iloc"):
         # A frame of pandas, of which a column has geometries.
-        if "geometry" not in given.columns:
-            return None
-        inner = as_geometries(given["geometry"], name)
-        if inner is not None:
+        columns = [given.iloc[:, at] for at in range(given.shape[1])]
+        named = [column for column in columns if column.name == "geometry"]
+        held = [inner for column in named or columns if (inner := _of_column(column, name)) is not None]
+        if len(held) > 1:
+            raise KindError(f"{name} has several columns of geometries: pass one of them")
+        for inner in held:
             _raise(inner, given, height)
-        return inner
+        return held[0] if held else None
     if hasattr(given, "dtype"):
         members = np.asarray(given).ravel() if given.dtype == object else ()
     else:
@@ -68,10 +72,15 @@ def as_geometries(given: Any, name: str = "points", height: str | None = None) -
             isinstance(given, Iterable) and hasattr(given, "__len__") and not isinstance(given, (str, bytes, dict))
         )
         members = given if has_members else ()
-    first = next((member for member in members if member is not None and not _is_table(member)), None)
+    first = next((member for member in members if not (_is_none(member) or _is_table(member))), None)
     if first is None or not (_is_of(first, "geopandas") or _is_geometry(first) or _document(first) is not None):
         return None
     return _of_members(members, name, height)
+
+
+def _of_column(given: Any, name: str) -> Geometries | None:
+    """The geometries in a column of pandas, if it has some."""
+    return as_geometries(given, name) if str(given.dtype) in ("object", "geometry") else None
 
 
 def _is_of(given: Any, library: str) -> bool:
@@ -83,9 +92,15 @@ def _is_geometry(given: Any) -> bool:
     return _is_of(given, "shapely") and hasattr(given, "geom_type")
 
 
+def _is_none(given: Any) -> bool:
+    """Whether it stands for no geometry: also the NaN that pandas has in a column of objects."""
+    return is_missing(given) or isinstance(given, float) and math.isnan(given)
+
+
 def _is_table(given: Any) -> bool:
     """Whether it is an array or a frame without geometries."""
-    return getattr(given, "ndim", 0) == 2 and not _is_of(given, "geopandas")
+    is_table = getattr(given, "ndim", 0) == 2 or has_fields(given)
+    return is_table and not _is_of(given, "geopandas")
 
 
 def _document(given: Any) -> dict[str, Any] | None:
@@ -111,9 +126,17 @@ def _of_geopandas(given: Any, name: str, height: str | None) -> Geometries:
 
 def _raise(found: Geometries, frame: Any, height: str | None) -> None:
     """Gives geometries the heights of a column of their frame."""
-    numbers = {str(column): frame[column] for column in frame.select_dtypes("number").columns}
+    numbers = {}
+    of_numbers = frame.select_dtypes("number").columns
+    for at, label in enumerate(frame.columns):
+        name, values = str(label), frame.iloc[:, at]
+        if (name == height) if height is not None else _native.named_height([name]) is not None:
+            # Databases and files of text have numbers as objects.
+            doubles = as_values(values, len(frame), name) if label in of_numbers else np.array([*map(_number, values)])
+            if np.isfinite(doubles).any():
+                numbers[name] = doubles
     if (column := _height(numbers, height)) is not None:
-        found.heights, found.height_name = as_values(numbers[column], len(frame), column), column
+        found.heights, found.height_name = numbers[column], column
 
 
 def _height(numbers: dict[str, Any], asked: str | None) -> str | None:
@@ -131,10 +154,10 @@ def _of_document(document: dict[str, Any], name: str, height: str | None) -> Geo
     try:
         features = document["features"] if document["type"] == "FeatureCollection" else [document]
         geometries = [feature["geometry"] if feature["type"] == "Feature" else feature for feature in features]
-        found = [None if geometry is None else shapely.geometry.shape(geometry) for geometry in geometries]
+        found = [None if geometry is None else _shape(geometry) for geometry in geometries]
         of_features = [feature.get("properties") or {} for feature in features]
         numbers = [{str(name): _number(x) for name, x in properties.items()} for properties in of_features]
-    except (shapely.errors.ShapelyError, ValueError, TypeError, KeyError, AttributeError, IndexError) as error:
+    except (shapely.errors.ShapelyError, ValueError, TypeError, KeyError, AttributeError, IndexError, RecursionError) as error:
         raise KindError(f"{name} is no right GeoJSON: {type(error).__name__}: {error}") from None
     # RFC 7946 has longitudes and latitudes and no `crs`; programs that are older write one.
     crs = document.get("crs")
@@ -143,7 +166,41 @@ def _of_document(document: dict[str, Any], name: str, height: str | None) -> Geo
     names = [_height(of_feature, height) for of_feature in known]
     heights = np.array([np.nan if column is None else of[column] for column, of in zip(names, known)])
     first = next((column for column in names if column is not None), None)
-    return Geometries(_array(found), name_of_crs, crs is None, None if first is None else heights, first or HEIGHT)
+    is_on_globe = crs is None or isinstance(name_of_crs, str) and _native.is_of_degrees(name_of_crs)
+    measures = sum(max(len(p) - 3, 0) for g in geometries if g is not None for p in _positions(g))
+    return Geometries(_array(found), name_of_crs, is_on_globe, None if first is None else heights, first or HEIGHT, measures)
+
+
+def _shape(geometry: dict[str, Any]) -> Any:
+    """A geometry of a document. A height that some positions lack, or that is null, is missing."""
+    import shapely.geometry
+
+    if geometry["type"] == "GeometryCollection":
+        return shapely.GeometryCollection([_shape(inner) for inner in geometry["geometries"]])
+    positions = list(_positions(geometry))
+    width = max((len(position) for position in positions), default=0)
+    if width > 3 or any(len(position) != width or position[-1] is None for position in positions):
+        geometry = {**geometry, "coordinates": _padded(geometry["coordinates"])}
+    return shapely.geometry.shape(geometry)
+
+
+def _positions(given: Any) -> Iterator[Any]:
+    """The positions of a geometry of a document."""
+    if isinstance(given, dict):
+        given = given["geometries"] if given["type"] == "GeometryCollection" else given["coordinates"]
+    if isinstance(given, (list, tuple)) and given and isinstance(given[0], (list, tuple, dict)):
+        for inner in given:
+            yield from _positions(inner)
+    elif not isinstance(given, (list, tuple)) or given:
+        yield given
+
+
+def _padded(given: Any) -> Any:
+    """Lists of positions of three numbers each."""
+    if not given or isinstance(given[0], (list, tuple)):
+        return [_padded(inner) for inner in given]
+    z = given[2] if len(given) > 2 else None
+    return [*given[:2], math.nan if z is None else z]
 
 
 def _number(value: Any) -> float:
@@ -154,12 +211,21 @@ def _number(value: Any) -> float:
         return math.nan
 
 
+def _of_shape(given: Any) -> Geometries:
+    """One geometry, which may have the number of a coordinate system."""
+    import shapely
+
+    srid = int(shapely.get_srid(given))
+    crs = f"EPSG:{srid}" if srid > 0 else None
+    return Geometries(_array([given]), crs, crs is not None and _native.is_of_degrees(crs))
+
+
 def _of_members(members: Iterable[Any], name: str, height: str | None) -> Geometries:
     """The geometries of each member, which is one or has some."""
     found = []
     for position, member in enumerate(members):
-        if member is None or _is_geometry(member):
-            inner: Geometries | None = Geometries(_array([member]))
+        if _is_none(member):
+            inner: Geometries | None = Geometries(_array([None]))
         else:
             inner = as_geometries(member, f"{name}[{position}]", height)
         if inner is None and _is_table(member):
@@ -180,6 +246,7 @@ def _of_members(members: Iterable[Any], name: str, height: str | None) -> Geomet
         any(one.is_on_globe for one in found),
         np.concatenate(heights) if raised else None,
         raised[0] if raised else HEIGHT,
+        sum(one.measures for one in found),
     )
 
 
@@ -188,10 +255,9 @@ def _of_table(given: Any, name: str, height: str | None) -> Geometries:
     import shapely
 
     places, z = by_names(given, height)
-    rows = as_array(places, name)
-    if z is None and rows.shape[1] == 3:
-        rows, z = rows[:, :2], rows[:, 2]
-    points = as_points(rows, name)
+    if z is None and len(places.shape) == 2 and places.shape[1] == 3:
+        places, z = picked(places, [0, 1]), picked(places, [2])
+    points = as_points(places, name)
     if not isinstance(points, np.ndarray):
         raise KindError(f"{name} has exact coordinates, and geometries have doubles")
     if z is not None:
@@ -201,8 +267,13 @@ def _of_table(given: Any, name: str, height: str | None) -> Geometries:
 
 def agree(one: Any, other: Any, name: str) -> None:
     """Refuses coordinates of two systems."""
-    if one is not None and other is not None and one != other:
+    if one is not None and other is not None and _number_of(one) != _number_of(other):
         raise Error(f"{name} has two coordinate systems, {_named(one)} and {_named(other)}: to_crs makes them one")
+
+
+def _number_of(crs: Any) -> Any:
+    """The number of the EPSG in a name, or what is no such name as it is."""
+    return crs.rpartition(":")[2] if isinstance(crs, str) and "EPSG:" in crs else crs
 
 
 def _named(crs: Any) -> str:
@@ -271,13 +342,16 @@ def of_geometries(given: Geometries, asked: str | None = None) -> Input:
     is_hole = np.r_[False, ring_polygon[1:] == ring_polygon[:-1]][: len(ring_polygon)]
     points, first, vertex = _distinct(places[:, :2])
     measures = shapely.get_num_coordinates(parts[shapely.has_m(parts)]).sum() if hasattr(shapely, "has_m") else 0
-    heights, remarks = None, _native.ignored(int(measures), "measure", "measures")
+    heights, remarks = None, _native.ignored(int(measures) + given.measures, "measure", "measures")
     z, count = places[:, 2], 0
     if given.heights is not None:
         # Of points and lines that have none: the height of a building is not that of its ground.
         height = given.heights[chain_feature[chain]]
         is_free = np.isnan(z) & (chain < len(chains) - len(rings))
         is_raised = ~np.isnan(height) & (is_free | (asked is not None))
+        is_lost = ~np.isnan(height) & (chain < len(chains) - len(rings)) & ~is_raised & (z != height)
+        lost = len(np.unique(chain_feature[chain[is_lost]]))
+        remarks += _native.ignored(lost, f"property `{given.height_name}`", f"properties `{given.height_name}`")
         z, count = np.where(is_raised, height, z), len(np.unique(chain_feature[chain[is_raised]]))
         remarks += _native.height_property(given.height_name, count) if count else []
     elif asked is not None:

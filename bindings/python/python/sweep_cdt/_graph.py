@@ -10,7 +10,7 @@ import numpy as np
 from . import _native
 from ._arrays import as_array, as_values, by_names, listed
 from ._errors import Error, KindError, ShapeError
-from ._geometries import as_geometries, as_places, of_geometries, rings_of
+from ._geometries import agree, as_geometries, as_places, of_geometries, rings_of
 from ._input import Input, as_doubles, as_edges, as_points
 
 
@@ -18,9 +18,18 @@ def as_input(
     given: Any, edges: Any = None, polygons: Any = None, holes: Any = None, height: str | None = None
 ) -> Input:
     """The input that is given as points, or as an object that says more than that."""
+    holes = listed(holes)
+    seeds = None if holes is None else as_geometries(holes, "holes")
+    found = _as_input(given, edges, polygons, holes if seeds is None else as_places(seeds, "holes"), height)
+    if seeds is not None:
+        agree(found.crs, seeds.crs, "holes")
+    if found.heights is None:
+        return found
+    return found.changed(remarks=(*found.remarks, *_native.voids(found.heights)))
+
+
+def _as_input(given: Any, edges: Any, polygons: Any, holes: Any, height: str | None) -> Input:
     given, polygons = listed(given), listed(polygons)
-    if holes is not None and (seeds := as_geometries(listed(holes), "holes")) is not None:
-        holes = as_places(seeds, "holes")
     if (geometries := as_geometries(given, height=height)) is not None:
         if edges is None and polygons is None:
             found = of_geometries(geometries, height)
@@ -32,7 +41,7 @@ def as_input(
     heights = markers = None
     if isinstance(given, dict):
         if "vertices" not in given:
-            raise KindError("a dictionary has no 'vertices', as of `triangle`, and is no GeoJSON")
+            raise KindError("a dictionary has no 'vertices', as of `triangle`, and is no GeoJSON: geopandas reads other maps")
         edges = given.get("segments") if edges is None else edges
         holes = given.get("holes") if holes is None else holes
         regions, attributes, areas = _regions(given.get("regions"))

@@ -11,6 +11,7 @@ import copy
 import decimal
 import fractions
 import numbers
+import os
 import sys
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any, TypeVar
@@ -44,11 +45,17 @@ def as_points(given: Any, name: str = "points", missing: bool = False) -> Any:
         return given
     given, _ = by_names(listed(given))
     if isinstance(given, (str, bytes)) or not (isinstance(given, Iterable) or hasattr(given, "__array__")):
-        hint = ": read a file with pandas or geopandas first" if isinstance(given, str) else ""
+        is_text = isinstance(given, (str, os.PathLike))
+        hint = ": read a file with pandas or geopandas first, and WKT with shapely.from_wkt" if is_text else ""
+        hint = ": shapely.from_wkb reads WKB" if isinstance(given, bytes) else hint
         raise KindError(f"{name} is no array but {_kind(given)}{hint}")
     array = as_array(given, name, missing)
     if array.size == 0 and array.ndim == 1:
         return np.empty((0, 2))
+    if array.ndim and array.ndim < 3 and isinstance(first := array.flat[0] if array.size else None, (str, bytes)):
+        if array.ndim == 1 or array.shape[1] != 2:
+            reader = "wkb" if isinstance(first, bytes) else "wkt"
+            raise KindError(f"{name} has texts, and no points: shapely.from_{reader} makes geometries of them")
     if array.ndim != 2 or array.shape[1] != 2:
         hint = ""
         if hasattr(given, "columns"):
@@ -117,6 +124,8 @@ def as_indices(given: Any, columns: int, name: str) -> np.ndarray:
         return np.empty((0, columns), dtype=np.uintp)
     if columns == 3 and array.ndim == 1 and array.size % 3 == 0:
         array = array.reshape(-1, 3)
+    if array.dtype == object and hasattr(array.flat[0], "geom_type"):
+        raise KindError(f"{name} has geometries, and no positions: put all shapes in one list, the first argument")
     if array.ndim != 2 or array.shape[1] != columns:
         raise ShapeError(f"{name} has the shape {array.shape}, not (m, {columns})", shape=array.shape)
     if array.dtype.kind not in "iu":
@@ -261,19 +270,6 @@ class Input:
     def rule(self, name: str | None) -> str:
         """The rule for what is inside: the one that is asked for, or the default."""
         return _native.inside(name, len(self.holes) > 0, len(self.rings) > 0)
-
-    def __getstate__(self) -> dict[str, Any]:
-        state = dict(self.__dict__)
-        for name in ("points", "holes", "regions"):
-            if isinstance(state[name], _native.ExactPoints):
-                state[name] = state[name].parts()
-        return state
-
-    def __setstate__(self, state: dict[str, Any]) -> None:
-        for name in ("points", "holes", "regions"):
-            if isinstance(state[name], tuple):
-                state[name] = _native.ExactPoints(*state[name])
-        self.__dict__.update(state)
 
 
 def _seeds(given: Any, name: str) -> Any:

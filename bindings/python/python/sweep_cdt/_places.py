@@ -9,7 +9,7 @@ import numpy as np
 
 from . import _native
 from ._arrays import as_array, as_values, by_names, listed
-from ._errors import ShapeError, check_distance
+from ._errors import KindError, ShapeError, check_distance
 from ._geometries import agree, as_geometries, as_places, gathered
 from ._input import NO_EDGES, Input, as_points
 from ._remarks import Remark, say
@@ -95,13 +95,18 @@ def interpolate(
     [3.0, 3.0]
     """
     check_distance("within", within)
+    if values is None:
+        raise KindError("values is None, as `heights` is where no point has one")
     count = len(self._input.points)
     values = as_values(values, count)
     rest = values.shape[1:]
     points, queries, finite, shape = as_queries(_stacked(xi), "xi", self._input)
     columns = np.ascontiguousarray(values.reshape(count, math.prod(rest)))
-    for column in columns.T if len(self.duplicates) else ():
-        say(of_equal(self, column, "values")[1], strict)
+    for column in columns.T:
+        if len(self.duplicates):
+            say(of_equal(self, column, "values")[1], strict)
+        if self.heights is None or not np.array_equal(column, self.heights, equal_nan=True):
+            say(_native.voids(np.ascontiguousarray(column)))
     result = np.full((len(finite), columns.shape[1]), np.nan)
     found = self._core.interpolate(self._input, self.rule, columns, (points, queries), within)
     result[finite] = found = found.reshape(len(queries), columns.shape[1])

@@ -52,7 +52,7 @@ pub(crate) fn way_out(error: &ReadError) -> &'static str {
     match error.kind {
         ReadErrorKind::UnpackedLimit { .. } => " (--unpacked-limit allows more)",
         ReadErrorKind::UnknownColumns => {
-            " (or --columns names or numbers those of x, y and z: `--columns 2,3,4`)"
+            " (or --columns names or numbers those of x, y and perhaps z: `--columns 2,3`)"
         }
         _ => "",
     }

@@ -256,10 +256,10 @@ impl FilesRead {
         if !self.takes_areas {
             file = file.without_areas();
         }
-        file = match self.no_value {
-            Some(value) => file.without_value(value),
-            None => file.with_voids_said(),
-        };
+        if let Some(value) = self.no_value {
+            file = file.without_value(value);
+        }
+        file = file.with_voids_said();
         self.say_of(name, &file)?;
         file.remarks.clear();
         Ok(file)

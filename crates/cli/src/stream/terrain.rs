@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 use num_rational::BigRational;
 use sweep_cdt_engine::Remark;
-use sweep_cdt_formats::{Column, Coordinate, LineWriter, RasterHead, write_asc};
+use sweep_cdt_formats::{Column, Coordinate, LineWriter, RasterHead, Voids, write_asc};
 use sweep_cdt_stream::external::{Format, Summary, Vertex};
 use sweep_cdt_stream::{Carried, Final};
 use sweep_cdt_terrain::{Contour, Corner, Grid, LevelsError, PassingContours, Raster, levels};
@@ -173,6 +173,7 @@ impl TerrainOutputs {
             missing: 0,
             conflict: None,
             conflict_at: None,
+            voids: Voids::default(),
         }))
     }
 
@@ -202,6 +203,8 @@ pub(super) struct Terrain {
     /// A point with two heights, and the last one that was found.
     conflict: Option<(u64, [f64; 2], usize)>,
     conflict_at: Option<u64>,
+    /// Heights that often mean that there is none.
+    voids: Voids,
 }
 
 /// Triangles that pass, and where their lines go.
@@ -272,7 +275,8 @@ impl Terrain {
             missing: count(self.missing),
             triangles: count(triangles),
         });
-        conflict.into_iter().chain(open).collect()
+        let all = conflict.into_iter().chain(open);
+        all.chain(self.voids.remarks()).collect()
     }
 
     /// The counts of contour lines in words, if there are to be any.
@@ -295,6 +299,7 @@ impl Passing<'_> {
     pub(super) fn vertex(&self, vertex: &Vertex<'_>, before: Option<u64>) -> u64 {
         let mut terrain = self.terrain.borrow_mut();
         let height = vertex.height.unwrap_or(f64::NAN);
+        terrain.voids.add(height);
         let Some(before) = before else {
             return terrain.vertices.push(Corner {
                 number: vertex.number,

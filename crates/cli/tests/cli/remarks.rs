@@ -105,6 +105,57 @@ fn what_is_not_read_is_named_with_what_helps() {
         assert!(said.contains(named) && said.contains(help), "{said}");
         assert!(!said.contains("--columns"), "{said}");
     }
+    let folder = folder(&[
+        (
+            "town.json",
+            r#"{"type": "CityJSON", "transform": {}, "vertices": [[0, 0, 0]]}"#,
+        ),
+        (
+            "query.json",
+            r#"{"features": [{"attributes": {}, "geometry": {"x": 0, "y": 1}}]}"#,
+        ),
+        (
+            "hexadecimal.wkt",
+            "0101000000000000000000F03F000000000000F03F\n",
+        ),
+    ]);
+    for (file, named, help) in [
+        (
+            "town.json",
+            "this is CityJSON",
+            "`cjio FILE export obj FILE.obj`",
+        ),
+        ("query.json", "this is Esri's JSON", "`ogr2ogr -f GeoJSON`"),
+        ("hexadecimal.wkt", "is WKB", "ST_AsEWKT"),
+    ] {
+        let output = run(&folder, &format!("triangulate {file}"));
+        let said = text(&output.stderr);
+        assert!(said.contains(named) && said.contains(help), "{said}");
+    }
+}
+
+/// The column of a table that holds shapes, as `csvcut` and spreadsheets write it, is a .wkt as the error says.
+#[test]
+fn a_column_of_shapes_is_read_alone() {
+    let folder = folder(&[
+        (
+            "column.wkt",
+            "WKT\n\"POLYGON ((0 0, 4 0, 0 4, 0 0))\"\nPOINT (9 9)\n\"LINEARRING (5 0, 6 0, 6 1, 5 0)\"\n",
+        ),
+        (
+            "measured.geojson",
+            r#"{"type": "LineString", "coordinates": [[0, 0, 1, 7], [4, 0, 2, 8], [0, 4, 3]]}"#,
+        ),
+    ]);
+    let output = run(&folder, "triangulate column.wkt");
+    let out = text(&output.stdout);
+    assert!(
+        out.starts_with("column.wkt: points 7, duplicates 0, edges 6"),
+        "{out}"
+    );
+    let output = run(&folder, "triangulate measured.geojson");
+    let said = text(&output.stderr);
+    assert_eq!(said, "note: measured.geojson: ignored: 2 measures\n");
 }
 
 /// Both commands of terrains say what `triangulate` says.
@@ -137,7 +188,8 @@ fn a_number_can_mean_that_there_is_none() {
     let note = "note: nodata_9999.xyz: 2 numbers are -9999 and counted as missing\n";
     assert!(said.starts_with(note), "{said}");
     let (_, said) = done(&format!("{arguments} --no-value -1"));
-    assert_eq!(said, "note: nodata_9999.xyz: no number is -1\n");
+    let none = "note: nodata_9999.xyz: no number is -1\n";
+    assert_eq!(said, format!("{none}note: nodata_9999.xyz: {hint}\n"));
 }
 
 #[test]
@@ -147,6 +199,31 @@ fn maps_that_mean_something_else_get_a_word() {
         said.starts_with("note: across_180.geojson: 2 edges span more than 180 degrees"),
         "{said}"
     );
+    // A map may say that it is one of degrees, as GDAL writes it.
+    let ring = "179 -17, -179.5 -17, -179.5 -16, 179 -16, 179 -17";
+    let crs = r#"{"type": "name", "properties": {"name": "urn:ogc:def:crs:OGC:1.3:CRS84"}}"#;
+    let line = "[[179, -17], [-179.5, -17], [-179.5, -16], [179, -16]]";
+    let degrees = folder(&[
+        ("srid.wkt", &format!("SRID=4326;POLYGON (({ring}))")),
+        (
+            "crs.geojson",
+            &format!(r#"{{"type": "LineString", "crs": {crs}, "coordinates": {line}}}"#),
+        ),
+        ("swiss.wkt", &format!("SRID=2056;POLYGON (({ring}))")),
+    ]);
+    for (file, is_said) in [
+        ("srid.wkt", true),
+        ("crs.geojson", true),
+        ("swiss.wkt", false),
+    ] {
+        let output = run(&degrees, &format!("triangulate {file}"));
+        let said = text(&output.stderr);
+        assert_eq!(
+            said.contains("2 edges span more than 180 degrees"),
+            is_said,
+            "{file}: {said}"
+        );
+    }
     let (_, said) = done("triangulate outline_traced_twice.geojson");
     assert!(
         said.starts_with("note: outline_traced_twice.geojson: 2 edges are traced twice"),

@@ -129,10 +129,10 @@ fn columns_are_chosen_of_both_files() {
     };
     let counts = "the columns have no names, and the first counts the rows, 1, 2, 3 and so on, as names of points do: \
                   put names in the first row, x and y among them";
-    let way_out = "names or numbers those of x, y and z: `";
-    let refused = format!("a.csv: {counts} (or --columns {way_out}--columns 2,3,4`)");
+    let way_out = "names or numbers those of x, y and perhaps z: `";
+    let refused = format!("a.csv: {counts} (or --columns {way_out}--columns 2,3`)");
     assert_fails(&heights(""), &refused);
-    let refused = format!("b.csv: {counts} (or --at-columns {way_out}--at-columns 2,3,4`)");
+    let refused = format!("b.csv: {counts} (or --at-columns {way_out}--at-columns 2,3`)");
     assert_fails(&heights("--columns 2,3,4"), &refused);
     let made = heights("--columns 2,3,4 --at-columns 2,3 --output-format xyz");
     assert_eq!(

@@ -13,6 +13,9 @@ use crate::read::source::{ReadError, Source, quoted};
 use crate::threads::in_turn;
 use crate::{Column, Coordinate, CoordinateError, CoordinateSystem, Faces, Polygons};
 
+/// Why a number with a comma in it is none.
+pub(super) const NO_COMMAS: &str = "commas in numbers are not read, only points, as in 0.5";
+
 /// The vertices of a file.
 pub(super) struct Vertices<'a> {
     pub(super) source: &'a Source,
@@ -183,9 +186,13 @@ impl<'a> Vertices<'a> {
                     return Ok(f64::NAN);
                 }
                 let value = field.syntax.value(piece).ok();
-                value
-                    .filter(|x: &f64| !x.is_infinite())
-                    .ok_or_else(|| self.wrong(field.syntax, piece, "is not an attribute, a number"))
+                value.filter(|x: &f64| !x.is_infinite()).ok_or_else(|| {
+                    let mut why = "is not an attribute, a number".to_owned();
+                    if piece.contains(&b',') {
+                        why = format!("{why}: {NO_COMMAS}");
+                    }
+                    self.wrong(field.syntax, piece, &why)
+                })
             };
             Ok(Column {
                 name: field.name.clone(),

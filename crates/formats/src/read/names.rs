@@ -12,13 +12,19 @@ const PLACES: [[&[&str]; 2]; 5] = [
         &["point_x", "x_coord", "xcoord", "coord_x"],
         &["point_y", "y_coord", "ycoord", "coord_y"],
     ],
-    [&["easting", "east"], &["northing", "north"]],
+    [
+        &["easting", "east", "rechtswert"],
+        &["northing", "north", "hochwert"],
+    ],
     [&["longitude", "lon", "long", "lng"], &["latitude", "lat"]],
-    [&["e"], &["n"]],
+    [
+        &["e", "este", "est", "ost"],
+        &["n", "norte", "nord", "nord"],
+    ],
 ];
 
 /// The usual names of heights, the better ones first.
-pub(super) const HEIGHTS: [&str; 15] = [
+pub(super) const HEIGHTS: [&str; 20] = [
     "z",
     "elevation",
     "elev",
@@ -34,6 +40,11 @@ pub(super) const HEIGHTS: [&str; 15] = [
     "z_value",
     "contour",
     "hoehe",
+    "höhe",
+    "cota",
+    "quota",
+    "cote",
+    "altitud",
 ];
 
 /// The units that may end a name.
@@ -117,7 +128,7 @@ fn half(names: &[String]) -> Option<String> {
         ranks.find_map(|found| found)
     };
     let [named @ .., _] = &PLACES;
-    // A column `e` or `n` alone may be anything.
+    // A column `e`, `n` or `est` alone may be anything.
     let sides = named.iter().flat_map(|&[x, y]| [(x, y), (y, x)]);
     let mut halves = sides.filter_map(|(one, other)| {
         let (name, at) = find(one)?;

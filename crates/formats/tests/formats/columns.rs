@@ -87,6 +87,46 @@ fn a_place_is_no_number_of_the_first_row() {
 }
 
 #[test]
+fn names_are_chosen_in_any_case() {
+    let source = Source::new("a", "X,x,Y\n1,2,3\n").columns(["x", "y"]);
+    assert_eq!(file(&source).graph.points, [[2.0, 3.0]]);
+    let source = Source::new("a", "1,2,3\n").columns(["x", "y"]);
+    let error = read(Format::Csv, &source, None).expect_err("no names");
+    let message = "there is no column `x`: it is a name, or a place from 1 to 3";
+    assert_eq!(error.message, message);
+}
+
+/// Numbers that rasters and netCDF write where there is no height, and those that are heights.
+#[test]
+fn what_is_no_height_is_said() {
+    for (heights, said) in [
+        ("-9999 -32768 7", vec![(-9999.0, 1), (-32768.0, 1)]),
+        ("1e20 1e20 -32767", vec![(1e20, 2), (-32767.0, 1)]),
+        (
+            "-3.4e38 -3.40282346638529e+38 7",
+            vec![(-3.4e38, 1), (-3.40282346638529e38, 1)],
+        ),
+        ("9999 -999 32767", vec![]),
+    ] {
+        let rows = heights.split(' ').map(|z| format!("0 {z} {z}\n"));
+        let file = file(&Source::new("a", rows.collect::<String>())).with_voids_said();
+        let voids = said
+            .into_iter()
+            .map(|(value, count)| Remark::Void { value, count });
+        assert_eq!(file.remarks, voids.collect::<Vec<_>>(), "{heights}");
+    }
+    // One that is named leaves the others.
+    let file = file(&Source::new("a", "0 0 -9999\n1 0 1e30\n"));
+    let said = file.without_value(-9999.0).with_voids_said().remarks;
+    let (value, count) = (1e30, 1);
+    assert_eq!(said[1..], [Remark::Void { value, count }]);
+    assert_eq!(
+        said[1].to_string(),
+        "1 height is 1e30, which often means that there is none"
+    );
+}
+
+#[test]
 fn a_number_that_means_none_is_none() {
     for value in ["-9999", "-9999.0", "-9.999e3"] {
         let text = format!("x,y,z,w,marker\n0,0,{value},1,-9999\n4,0,2,{value},1\n0,4,3,3,2\n");
@@ -103,23 +143,24 @@ fn a_number_that_means_none_is_none() {
 fn columns_that_are_not_there_are_refused() {
     for (chosen, message) in [
         (&["1"][..], "1 columns are chosen: two are, or three with z"),
+        (&["x", "2"], "column 2 is chosen twice"),
         (
             &["1", "5"],
-            "there is no column `5`: it is a name, or a place from 1 to 4",
+            "there is no column `5`: it is a name of `id`, `x`, `y`, `z`, or a place from 1 to 4",
         ),
         (
             &["0", "1"],
-            "there is no column `0`: it is a name, or a place from 1 to 4",
+            "there is no column `0`: it is a name of `id`, `x`, `y`, `z`, or a place from 1 to 4",
         ),
         (
             &["x", "q"],
-            "there is no column `q`: it is a name, or a place from 1 to 4",
+            "there is no column `q`: it is a name of `id`, `x`, `y`, `z`, or a place from 1 to 4",
         ),
     ] {
         let text = table([0, 1, 2, 3], Some(""), ",");
         let source = Source::new("a", text).columns(chosen.iter().copied());
         let error = read(Format::Csv, &source, None).expect_err("no column");
         assert_eq!(error.message, message);
-        assert_eq!(error.kind, ReadErrorKind::UnknownColumns);
+        assert_eq!(error.kind, ReadErrorKind::Content);
     }
 }

@@ -62,6 +62,12 @@ fn columns_are_found_by_their_names() {
         "x,y,z",
         "X,Y,Elevation",
         "Easting (m),Northing (m),H [m]",
+        "Rechtswert,Hochwert,H\u{f6}he",
+        "este,norte,cota",
+        "Est [m],Nord [m],QUOTA",
+        "% x,y,z",
+        "!x,y,z",
+        "; x,y,z",
         "lon,lat,ele",
         "Longitude,latitude,Altitude",
         "e,n,h",
@@ -83,6 +89,29 @@ fn columns_are_found_by_their_names() {
         assert_eq!(table(&format!("{comment}\n1.5 2\n-3 4e2")).0, TWO);
     }
     assert_eq!(table("# y x\n2 1.5\n4e2 -3").0, TWO);
+}
+
+/// Latin-1, as spreadsheets of old write it.
+#[test]
+fn a_name_that_is_no_utf_8_is_latin_1() {
+    let Ok(Input::Doubles(file)) = input(b"x,y,H\xf6he,gr\xfcn\n1.5,2,7,1\n-3,4e2,8,1\n") else {
+        panic!("doubles")
+    };
+    let names: Vec<&str> = file.columns.iter().map(|column| &column.name[..]).collect();
+    assert_eq!(names, ["z", "gr\u{fc}n"]);
+}
+
+/// R's `write.table` has no name above the names of rows.
+#[test]
+fn a_table_with_one_name_too_few_is_refused() {
+    let beyond = "file: line 1 has 4 names, and all rows have 5 fields or more: name the first or the last column, too";
+    let rows = "\"1\" 1.5 2 7 \"oak\"\n\"2\" -3 4e2 8 \"elm\"\n";
+    assert_refused(&format!("\"x\" \"y\" \"z\" \"code\"\n{rows}"), beyond);
+    assert_eq!(table(&format!("n x y z code\n{rows}")).0, TWO);
+    // Some rows may have a word more, and all may end with a separator.
+    for rows in ["1.5,2,7\n-3,4e2,8,oak\n", "1.5,2,7,\n-3,4e2,8,\n"] {
+        assert_eq!(table(&format!("x,y,z\n{rows}")).0, TWO, "{rows}");
+    }
 }
 
 #[test]
@@ -111,6 +140,10 @@ fn columns_without_names_are_x_y_z_and_others() {
 /// A surveyor's list: the first column has the numbers of the points.
 #[test]
 fn a_column_that_counts_the_rows_is_no_x() {
+    let three = file("1,10,20\n2,11,20\n3,10,21\n");
+    let (places, count) = (vec![1, 2, 3], 3);
+    assert_eq!(three.remarks, [Remark::Columns { places, count }]);
+    assert_eq!(file("1,10,20\n2,11,20\n4,10,21\n").remarks, []);
     let survey = "1,10,20,5\n2,11,20,6\n3,10,21,7\n";
     let refused = input(survey.as_bytes()).expect_err("the first column counts");
     assert!(refused.contains("the first counts the rows"), "{refused}");
@@ -124,7 +157,6 @@ fn a_column_that_counts_the_rows_is_no_x() {
         [[10.0, 20.0], [11.0, 20.0], [10.0, 21.0]]
     );
     for grid in [
-        "1,10,20\n2,11,20\n3,10,21\n",
         "1,10,20,5\n2,11,20,6\n",
         "1,10,20,5\n2,11,20,6\n4,10,21,7\n",
         "x,y,z,t\n1,10,20,5\n2,11,20,6\n3,10,21,7\n",
@@ -144,6 +176,10 @@ fn what_is_ignored_has_the_place_of_its_column() {
 
 #[test]
 fn missing_numbers_are_missing() {
+    for words in ["#N/A,\\N,--", "nodata,NoData,-"] {
+        let (_, columns) = table(&format!("x,y,z,a,b\n0,0,{words}\n1,0,1,2,3"));
+        assert_eq!(columns, "z[NaN, 1.0] a[NaN, 2.0] b[NaN, 3.0]", "{words}");
+    }
     let text = "x,y,z,a,b\n0,0,nan,NA,-\n1,0,NULL,n/a,none\n0,1,,5\n1,1,0,6,\n";
     let (points, columns) = table(text);
     assert_eq!(points.len(), 4);
@@ -172,7 +208,7 @@ fn wrong_rows_are_named() {
     assert_refused("# x y\n\n;;\n", "file: the file is empty");
     assert_refused(
         "1;2\n-0,5;3\n",
-        "file:2: `-0,5` is not a coordinate: decimal commas are not read, only points, as in 0.5",
+        "file:2: `-0,5` is not a coordinate: commas in numbers are not read, only points, as in 0.5",
     );
     assert_refused("x,y\n1,2\n\n3,\n", "file:4: y is missing");
     assert_refused("x,y\n1,2\n3\n", "file:3: y is missing");
@@ -193,6 +229,27 @@ fn wrong_rows_are_named() {
         "file:2: `high` is not an attribute, a number",
     );
     assert_refused(
+        "x;y;z\n1;2;0,5\n",
+        "file:2: `0,5` is not an attribute, a number: commas in numbers are not read, only points, as in 0.5",
+    );
+    assert_refused(
+        "Survey of 2024\nx,y,z\n1,2,3\n",
+        "file:1: of the columns `Survey`, `of`, `2024` none are called x and y, or easting and northing, or longitude and \
+         latitude: rename two of them, or put `#` before what is no row",
+    );
+    for shapes in [
+        "1,POINT (0 0)\n",
+        "\"SRID=2056;POINT(1 2)\"\n",
+        "id,wkt_geom\n1,x\n",
+        "id,Shape\n1,x\n",
+    ] {
+        let refused = input(shapes.as_bytes()).expect_err("shapes");
+        assert!(
+            refused.contains("holds shapes: they are read from a .wkt"),
+            "{refused}"
+        );
+    }
+    assert_refused(
         "x,y,a\n1,2,5\n1,3,1e999\n",
         "file:3: `1e999` is not an attribute, a number",
     );
@@ -204,7 +261,7 @@ fn wrong_rows_are_named() {
     assert_refused(
         "id,name,x\n1,oak,3\n",
         "file:1: of the columns `id`, `name`, `x` none are called x and y, or easting and northing, or longitude and \
-         latitude: rename two of them",
+         latitude: rename two of them, or put `#` before what is no row",
     );
     assert_refused(
         "x,y,X\n1,2,3\n",
@@ -226,7 +283,7 @@ fn wrong_rows_are_named() {
         "x,y\n\"1\n\"2,3\n",
         "file:2: `2,3` follows a quote that is closed",
     );
-    let comma = "is not a coordinate: decimal commas are not read, only points, as in 0.5";
+    let comma = "is not a coordinate: commas in numbers are not read, only points, as in 0.5";
     for text in ["x;y\n1,5;2,5\n", "x\ty\n1,5\t2,5\n", "x y\n1,5 2,5\n"] {
         assert_refused(text, &format!("file:2: `1,5` {comma}"));
     }

@@ -21,7 +21,10 @@ pub(crate) fn read(given: Given, mut files: Vec<u8>) -> Result<Input, Box<dyn Er
             let source = Source::new(name, files);
             let node =
                 node.map(|(name, bytes)| Source::new(name, rest[..bytes.min(rest.len())].to_vec()));
-            Ok(read_file(format, &source, node.as_ref())?)
+            Ok(match read_file(format, &source, node.as_ref())? {
+                Input::Doubles(file) => Input::Doubles(file.with_voids_said()),
+                Input::Rationals(file) => Input::Rationals(file.with_voids_said()),
+            })
         }
         Given::Generated { kind, points, seed } => {
             let kind = Kind::named(&kind).ok_or_else(|| format!("there is no kind `{kind}`"))?;

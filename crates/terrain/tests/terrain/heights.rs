@@ -139,6 +139,25 @@ fn slivers_have_heights_as_good_as_others() {
     );
 }
 
+/// Differences of coordinates, and areas, may be beyond all doubles.
+#[test]
+fn places_at_the_ends_of_the_range_have_heights() {
+    let points = [[-1.2e308, 0.0], [1.2e308, 0.0], [0.0, 1.2e308]];
+    let result = triangulated(&points);
+    let whole = Interior::whole(&result);
+    let surface = Surface::new(&points, &whole, &[0.0, 8.0, 100.0]);
+    let found = surface.heights_at(&[[0.6e308, 0.0], [0.0, 0.0], [0.0, 0.6e308]]);
+    assert_eq!(found, [Some(6.0), Some(4.0), Some(52.0)]);
+    // Products of areas and heights may be below all doubles.
+    let points = [[-1.2e-120, 0.0], [1.2e-120, 0.0], [0.0, 1.2e-120]];
+    let result = triangulated(&points);
+    let whole = Interior::whole(&result);
+    let unit = 2.0_f64.powi(-960);
+    let heights = [0.0, 8.0 * unit, 100.0 * unit];
+    let surface = Surface::new(&points, &whole, &heights);
+    assert_eq!(surface.heights_at(&[[0.0, 0.6e-120]]), [Some(52.0 * unit)]);
+}
+
 #[test]
 fn rationals_have_heights() {
     let third = |x: i64| BigRational::new(x.into(), 3.into());

@@ -20,6 +20,7 @@ use serde_json::value::RawValue;
 
 use crate::read::content::{Edges, Field, Syntax, Vertices};
 use crate::read::json::pieces::{Position, fault, members};
+use crate::read::shapes::geojson;
 use crate::read::source::{ReadError, Source};
 use crate::{Column, CoordinateSystem, Faces};
 
@@ -48,6 +49,12 @@ enum Marker {
 pub(super) fn read<'a>(source: &'a Source, mut edges: Edges<'a>) -> Result<Edges<'a>, ReadError> {
     // It has been read as an object.
     let all = members(source.text()?).unwrap_or_default();
+    // CityJSON has vertices, too, which are none before they are scaled.
+    let is_city =
+        |(name, value): &(String, &RawValue)| name == "type" && value.get() == "\"CityJSON\"";
+    if let (true, Some(error)) = (all.iter().any(is_city), geojson::foreign(source)) {
+        return Err(error);
+    }
     let points = edges.vertices.coordinates.len();
     for (name, piece) in &all {
         let fault = |what: &str| fault(source, piece, format!("`{name}` is not {what}"));

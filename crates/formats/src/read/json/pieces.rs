@@ -177,3 +177,31 @@ impl<'de> Visitor<'de> for PositionVisitor {
         Ok(Position([x, y], seq.next_element()?))
     }
 }
+
+/// A position, and how many numbers follow its height.
+pub(crate) struct Measured<'a>(pub(crate) Position<'a>, pub(crate) usize);
+
+impl<'de: 'a, 'a> Deserialize<'de> for Measured<'a> {
+    fn deserialize<D: de::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_seq(MeasuredVisitor)
+    }
+}
+
+struct MeasuredVisitor;
+
+impl<'de> Visitor<'de> for MeasuredVisitor {
+    type Value = Measured<'de>;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("two coordinates or more")
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Measured<'de>, A::Error> {
+        let position = PositionVisitor.visit_seq(&mut seq)?;
+        let mut measures = 0;
+        while seq.next_element::<f64>()?.is_some() {
+            measures += 1;
+        }
+        Ok(Measured(position, measures))
+    }
+}

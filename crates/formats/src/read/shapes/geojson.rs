@@ -10,8 +10,8 @@
 //!
 //! The third coordinate is a height, unless [`Source::height_property`] names a property that is. Where there is
 //! neither, of points and lines the best of the usual names (`names.rs`) with a number is. The member
-//! `crs` goes through. Without it, a side that spans more than 180 degrees of longitude gets a
-//! remark. Other properties and members are ignored with a remark, and so is a geometry that is `null` or
+//! `crs` goes through. Without it, or where it is one of degrees, a side that spans more than 180 of them gets a
+//! remark. Numbers of a position behind the third are measures, which are ignored with a remark. Other properties and members are ignored with a remark, and so is a geometry that is `null` or
 //! whose coordinates are an empty list, without one. A coordinate may be a string with a fraction, as in our own JSON.
 //!
 //! Cost: each object is read once for each object around it, of which there may be [`NESTED`].
@@ -20,7 +20,7 @@ use serde::Deserialize;
 use serde_json::value::RawValue;
 
 use crate::read::content::Syntax;
-use crate::read::json::pieces::{Position, fault, members, texts};
+use crate::read::json::pieces::{Measured, Position, fault, members, texts};
 use crate::read::names::{HEIGHTS, rank};
 use crate::read::shapes::{Part, Shapes};
 use crate::read::source::{ReadError, Source, quoted};
@@ -121,14 +121,19 @@ pub(crate) fn foreign(source: &Source) -> Option<ReadError> {
     };
     let is_esri = ["geometryType", "spatialReference", "rings", "paths"]
         .iter()
-        .any(|name| value(name).is_some());
-    let form = match value("type") {
-        Some("\"Topology\"") => "TopoJSON",
-        None if is_esri => "Esri's JSON",
+        .any(|name| value(name).is_some())
+        || value("features").is_some_and(|features| features.contains("\"attributes\""));
+    let ogr = "`ogr2ogr -f GeoJSON` makes a .geojson of it";
+    let (form, help) = match value("type") {
+        Some("\"Topology\"") => ("TopoJSON", ogr),
+        Some("\"CityJSON\"") => (
+            "CityJSON",
+            "`cjio FILE export obj FILE.obj` makes an .obj of it",
+        ),
+        None if is_esri => ("Esri's JSON", ogr),
         _ => return None,
     };
-    let message =
-        format!("this is {form}, which is not read: `ogr2ogr -f GeoJSON` makes a .geojson of it");
+    let message = format!("this is {form}, which is not read: {help}");
     Some(ReadError::of_file(&source.name, message))
 }
 
@@ -209,12 +214,12 @@ pub(crate) fn read(source: &Source) -> Result<Shapes<'_>, ReadError> {
             }
             Kind::Point if is_empty(coordinates()) => {}
             Kind::Point => {
-                let point: Position<'_> = serde_json::from_str(coordinates().get())
+                let point: Measured<'_> = serde_json::from_str(coordinates().get())
                     .map_err(|_| wrong(coordinates(), "a position"))?;
                 add(&mut shapes, vec![point], Part::Points);
             }
             kind @ (Kind::MultiPoint | Kind::LineString) => {
-                let list: Vec<Position<'_>> = serde_json::from_str(coordinates().get())
+                let list: Vec<Measured<'_>> = serde_json::from_str(coordinates().get())
                     .map_err(|_| wrong(coordinates(), "a list of positions"))?;
                 let is_line = matches!(kind, Kind::LineString);
                 add(
@@ -224,7 +229,7 @@ pub(crate) fn read(source: &Source) -> Result<Shapes<'_>, ReadError> {
                 );
             }
             kind @ (Kind::MultiLineString | Kind::Polygon) => {
-                let lists: Vec<Vec<Position<'_>>> = serde_json::from_str(coordinates().get())
+                let lists: Vec<Vec<Measured<'_>>> = serde_json::from_str(coordinates().get())
                     .map_err(|_| wrong(coordinates(), "a list of lists of positions"))?;
                 if matches!(kind, Kind::Polygon) {
                     add_polygon(&mut shapes, lists);
@@ -235,7 +240,7 @@ pub(crate) fn read(source: &Source) -> Result<Shapes<'_>, ReadError> {
                 }
             }
             Kind::MultiPolygon => {
-                let polygons: Vec<Vec<Vec<Position<'_>>>> =
+                let polygons: Vec<Vec<Vec<Measured<'_>>>> =
                     serde_json::from_str(coordinates().get())
                         .map_err(|_| wrong(coordinates(), "a list of polygons"))?;
                 polygons
@@ -249,10 +254,9 @@ pub(crate) fn read(source: &Source) -> Result<Shapes<'_>, ReadError> {
         }
     }
     raised.say(source, &mut shapes);
-    if shapes.system.is_none()
-        && let Some(wide) = shapes.wide_sides()
-    {
-        shapes.remarks.add(wide);
+    let system = shapes.system.as_ref();
+    if system.is_none_or(CoordinateSystem::is_of_degrees) {
+        shapes.say_wide_sides();
     }
     Ok(shapes)
 }
@@ -385,14 +389,15 @@ fn is_empty(list: &RawValue) -> bool {
     serde_json::from_str(list.get()).is_ok_and(|list: Vec<&RawValue>| list.is_empty())
 }
 
-fn add_polygon<'a>(shapes: &mut Shapes<'a>, rings: Vec<Vec<Position<'a>>>) {
+fn add_polygon<'a>(shapes: &mut Shapes<'a>, rings: Vec<Vec<Measured<'a>>>) {
     for (at, ring) in rings.into_iter().enumerate() {
         add(shapes, ring, if at == 0 { Part::Ring } else { Part::Hole });
     }
 }
 
-fn add<'a>(shapes: &mut Shapes<'a>, positions: Vec<Position<'a>>, part: Part) {
-    for Position([x, y], z) in positions {
+fn add<'a>(shapes: &mut Shapes<'a>, positions: Vec<Measured<'a>>, part: Part) {
+    for Measured(Position([x, y], z), measures) in positions {
+        shapes.remarks.ignore(measures, "measure", "measures");
         let text = |raw: &'a RawValue| raw.get().as_bytes();
         shapes.push([text(x), text(y)], z.map(text));
     }

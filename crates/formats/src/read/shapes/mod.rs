@@ -92,15 +92,17 @@ impl<'a> Shapes<'a> {
             .push((part, self.features, first..self.coordinates.len()));
     }
 
-    /// The remark on sides of lines and rings that span more than 180 degrees, if there are any.
-    pub(super) fn wide_sides(&self) -> Option<Remark> {
+    /// Adds the remark on sides of lines and rings that span more than 180 degrees, if there are any.
+    pub(super) fn say_wide_sides(&mut self) {
         let value = |piece| self.syntax.value::<f64>(piece).unwrap_or(f64::NAN);
         let places = self.coordinates.iter().map(|place| place.map(value));
         let places: Vec<[f64; 2]> = places.collect();
         let parts = self.parts.iter();
         let parts = parts.filter(|(part, ..)| *part != Part::Points);
         let sides = parts.flat_map(|(.., range)| sides(range));
-        Remark::half_of_the_globe(&places, sides)
+        if let Some(wide) = Remark::half_of_the_globe(&places, sides) {
+            self.remarks.add(wide);
+        }
     }
 
     /// All positions as vertices, and the sides of lines and rings.

@@ -3,13 +3,13 @@
 //! | geometry | an input takes | a result takes |
 //! |---|---|---|
 //! | `POINT`, `MULTIPOINT` | points | |
-//! | `LINESTRING`, `MULTILINESTRING` | points and edges | |
+//! | `LINESTRING`, `LINEARRING`, `MULTILINESTRING` | points and edges | |
 //! | `POLYGON`, `MULTIPOLYGON`, `TRIANGLE`, `TIN` | points and edges of the rings | triangles: polygons of three corners |
 //! | `GEOMETRYCOLLECTION` | what is in it | what is in it |
 //!
 //! The third number of a position is a height, unless the geometry is marked `M`; measures are ignored with a remark.
-//! Before a geometry `SRID=...;` names the coordinate system, which must be one for all. Semicolons are ignored, and
-//! coordinates may be fractions.
+//! Before a geometry `SRID=...;` names the coordinate system, which must be one for all. Semicolons are ignored, and so are
+//! quotes and a first name, as the column of a table has them. Coordinates may be fractions.
 //!
 //! Collections are counted, not entered, so that nothing recurses.
 
@@ -28,6 +28,19 @@ const CURVES: [&[u8]; 5] = [
     b"MULTISURFACE",
 ];
 
+/// The usual names of columns of geometries.
+const COLUMNS: [&[u8]; 9] = [
+    b"wkt",
+    b"geom",
+    b"geometry",
+    b"the_geom",
+    b"wkt_geom",
+    b"wkb_geometry",
+    b"shape",
+    b"wkb",
+    b"geojson",
+];
+
 /// Reads a `.wkt`.
 pub(crate) fn read(source: &Source) -> Result<Shapes<'_>, ReadError> {
     let mut tokens = Tokens {
@@ -37,8 +50,10 @@ pub(crate) fn read(source: &Source) -> Result<Shapes<'_>, ReadError> {
     let mut shapes = Shapes::new(source, Syntax::Plain);
     // How many collections are open.
     let mut open = 0_usize;
+    let mut is_first = true;
     while let Some(token) = tokens.next() {
-        if token == b";" {
+        let is_name = std::mem::take(&mut is_first) && is_column(token);
+        if is_name || token == b";" {
             continue;
         }
         if token.to_ascii_uppercase().starts_with(b"SRID=") {
@@ -49,6 +64,8 @@ pub(crate) fn read(source: &Source) -> Result<Shapes<'_>, ReadError> {
             let name = token.to_ascii_uppercase();
             return Err(if CURVES.contains(&&name[..]) {
                 tokens.fault(token, "is a curve, and only straight lines are read: ST_CurveToLine of PostGIS makes these")
+            } else if is_binary(token) {
+                tokens.fault(token, "is WKB, and its text is read: ST_AsEWKT of PostGIS or shapely.to_wkt makes that")
             } else {
                 tokens.wrong(token, "a geometry")
             });
@@ -76,10 +93,33 @@ pub(crate) fn read(source: &Source) -> Result<Shapes<'_>, ReadError> {
             open -= 1;
         }
     }
+    let system = shapes.system.as_ref();
+    if system.is_some_and(CoordinateSystem::is_of_degrees) {
+        shapes.say_wide_sides();
+    }
     match open {
         0 => Ok(shapes),
         _ => Err(tokens.end("`)`")),
     }
+}
+
+/// Whether this is what columns of geometries are called.
+fn is_column(name: &[u8]) -> bool {
+    COLUMNS.iter().any(|known| name.eq_ignore_ascii_case(known))
+}
+
+/// Whether this is a geometry in hexadecimal digits.
+fn is_binary(text: &[u8]) -> bool {
+    let begins = text.starts_with(b"00") || text.starts_with(b"01");
+    begins && text.len() > 16 && text.iter().all(u8::is_ascii_hexdigit)
+}
+
+/// Whether a field of a table is a geometry, or the name of a column of them.
+pub(crate) fn is_in(field: &[u8]) -> bool {
+    let word = field.split(|byte| !byte.is_ascii_alphanumeric()).next();
+    let word = word.unwrap_or_default();
+    let is_text = || field.contains(&b'(') && (Geometry::named(word).is_some() || word == b"SRID");
+    is_column(field) || is_binary(field) || is_text() || field.starts_with(b"{")
 }
 
 /// A kind of geometry.
@@ -102,7 +142,7 @@ impl Geometry {
         let (part, depth) = match name {
             b"POINT" => (Part::Points, 1),
             b"MULTIPOINT" => (Part::Points, 2),
-            b"LINESTRING" => (Part::Line, 1),
+            b"LINESTRING" | b"LINEARRING" => (Part::Line, 1),
             b"MULTILINESTRING" => (Part::Line, 2),
             b"POLYGON" | b"TRIANGLE" => (Part::Ring, 2),
             b"MULTIPOLYGON" | b"TIN" | b"POLYHEDRALSURFACE" => (Part::Ring, 3),
@@ -184,11 +224,13 @@ impl<'a> Tokens<'a> {
     /// The next token, if there is one: a parenthesis, a comma, a semicolon, or all up to one of them or a space.
     fn next(&mut self) -> Option<&'a [u8]> {
         let is_single = |byte: &u8| b"(),;".contains(byte);
-        self.rest = self.rest.trim_ascii_start();
+        let is_blank = |byte: &u8| byte.is_ascii_whitespace() || *byte == b'"';
+        let begin = self.rest.iter().position(|byte| !is_blank(byte));
+        self.rest = &self.rest[begin.unwrap_or(self.rest.len())..];
         let length = match self.rest.first()? {
             byte if is_single(byte) => 1,
             _ => {
-                let is_end = |byte: &u8| is_single(byte) || byte.is_ascii_whitespace();
+                let is_end = |byte: &u8| is_single(byte) || is_blank(byte);
                 let end = self.rest.iter().position(is_end);
                 end.unwrap_or(self.rest.len())
             }

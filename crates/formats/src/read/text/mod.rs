@@ -25,15 +25,18 @@ mod rows;
 
 use std::collections::HashMap;
 
-use crate::read::content::{Edges, Field, Syntax, Vertices};
+use crate::read::content::{Edges, Field, NO_COMMAS, Syntax, Vertices};
 use crate::read::names::{Places, only, places};
 use crate::read::remarks::Remarks;
+use crate::read::shapes::wkt;
 use crate::read::source::{ReadError, ReadErrorKind, Source, quoted};
 use crate::read::text::rows::{Rows, Separator, text};
 use crate::{Column, CoordinateError, Remark};
 
 /// The words for a number that is missing.
-const MISSING: [&[u8]; 6] = [b"nan", b"na", b"n/a", b"null", b"none", b"-"];
+const MISSING: [&[u8]; 10] = [
+    b"nan", b"na", b"n/a", b"null", b"none", b"-", b"--", b"#n/a", b"\\n", b"nodata",
+];
 
 /// Reads points.
 pub(super) fn read(source: &Source) -> Result<Edges<'_>, ReadError> {
@@ -50,7 +53,7 @@ pub(super) fn read(source: &Source) -> Result<Edges<'_>, ReadError> {
     }
     let mut remarks = Remarks::default();
     let error = |message: String| ReadError {
-        kind: match fields.len() < 2 || fields.iter().any(|name| holds_shapes(name)) {
+        kind: match fields.len() < 3 || fields.iter().any(|field| wkt::is_in(field)) {
             true => ReadErrorKind::Content,
             false => ReadErrorKind::UnknownColumns,
         },
@@ -67,7 +70,8 @@ pub(super) fn read(source: &Source) -> Result<Edges<'_>, ReadError> {
             };
             (header, is_header)
         }
-        chosen => Header::chosen(chosen, &fields, &comment).map_err(error)?,
+        chosen => Header::chosen(chosen, &fields, &comment)
+            .map_err(|message| source.error_in_line(line, message))?,
     };
     let z = match &source.height_property {
         Some(name) => header.asked(name, &mut remarks),
@@ -80,7 +84,22 @@ pub(super) fn read(source: &Source) -> Result<Edges<'_>, ReadError> {
     while let Some(line) = rows.next_row(&mut fields)? {
         table.add(line, &fields)?;
     }
-    if source.columns.is_empty() && table.is_numbered() {
+    let first_line = table.first_line;
+    if is_header
+        && let Some(fields) = table.least_beyond
+        && !table.coordinates.is_empty()
+    {
+        let message = format!(
+            "line {first_line} has {} names, and all rows have {fields} fields or more: name the first or the last column, too",
+            table.columns.len()
+        );
+        return Err(ReadError::of_file(&source.name, message));
+    }
+    let is_numbered = source.columns.is_empty() && table.is_numbered();
+    if is_numbered && table.columns.len() == 3 {
+        let (places, count) = (vec![1, 2, 3], 3);
+        remarks.add(Remark::Columns { places, count });
+    } else if is_numbered {
         let message = "the columns have no names, and the first counts the rows, 1, 2, 3 and so on, as names of points \
                        do: put names in the first row, x and y among them";
         return Err(ReadError {
@@ -165,23 +184,25 @@ impl Header {
             let names = fields.iter().take(8).map(|&name| quoted(name));
             names.collect::<Vec<String>>().join(", ")
         };
-        if fields.len() < 2 {
-            let message = "the first row has one field: x and y must stand in two, with a comma, a semicolon, a tab or \
-                           blanks between them";
-            return Err(message.to_owned());
-        }
-        if let Some(&shapes) = fields.iter().find(|name| holds_shapes(name)) {
+        if let Some(&shapes) = fields.iter().find(|field| wkt::is_in(field)) {
             return Err(format!(
                 "the column {} holds shapes: they are read from a .wkt of that column alone, or from a .geojson, which \
                  `ogr2ogr -f GeoJSON` makes of this file",
                 quoted(shapes)
             ));
         }
-        if !fields.iter().any(|field| begins_as_number(field)) {
+        let [x, y, ..] = fields else {
+            let message = "the first row has one field: x and y must stand in two, with a comma, a semicolon, a tab or \
+                           blanks between them";
+            return Err(message.to_owned());
+        };
+        let is_word = |field: &[u8]| !is_missing(field) && !begins_as_number(field);
+        let numbers = fields.iter().filter(|field| is_number(field)).count();
+        if is_word(x) && is_word(y) && numbers < 2 {
             let shown = shown();
             return Err(format!(
                 "of the columns {shown} none are called x and y, or easting and northing, or longitude and latitude: \
-                 rename two of them"
+                 rename two of them, or put `#` before what is no row"
             ));
         }
         if comment.len() == fields.len()
@@ -189,8 +210,7 @@ impl Header {
         {
             return Ok(header);
         }
-        let is_word = |field: &[u8]| !is_missing(field) && !begins_as_number(field);
-        if is_word(fields[0]) && fields.iter().filter(|field| is_number(field)).count() > 1 {
+        if is_word(x) && numbers > 1 {
             let shown = shown();
             return Err(format!(
                 "the columns {shown} have no names, and the first is no number: put names in the first row, x and y among them"
@@ -213,7 +233,14 @@ impl Header {
         fields: &[&[u8]],
         comment: &[&[u8]],
     ) -> Result<(Header, bool), String> {
-        let named = |row: &[&[u8]], name: &str| row.iter().position(|field| text(field) == name);
+        let named = |row: &[&[u8]], name: &str| {
+            let is_it = |field: &&[u8]| text(field) == name;
+            let in_any_case = |field: &&[u8]| text(field).to_lowercase() == name.to_lowercase();
+            let mut fields = row.iter();
+            fields
+                .position(is_it)
+                .or_else(|| row.iter().position(in_any_case))
+        };
         let names = |row: &[&[u8]]| row.iter().map(|name| text(name)).collect::<Vec<String>>();
         let place = |name: &String| {
             let by_place = || {
@@ -222,10 +249,20 @@ impl Header {
             };
             let by_name = || named(fields, name).or_else(|| named(comment, name));
             let none = || {
-                let count = fields.len();
+                let row = if is_row(fields) { comment } else { fields };
+                let names = row
+                    .iter()
+                    .take(8)
+                    .map(|&name| quoted(name))
+                    .collect::<Vec<String>>();
+                let names = match names.is_empty() {
+                    true => String::new(),
+                    false => format!(" of {}", names.join(", ")),
+                };
                 format!(
-                    "there is no column {}: it is a name, or a place from 1 to {count}",
-                    quoted(name.as_bytes())
+                    "there is no column {}: it is a name{names}, or a place from 1 to {}",
+                    quoted(name.as_bytes()),
+                    fields.len()
                 )
             };
             // A number of the first row is no name for a place.
@@ -241,6 +278,10 @@ impl Header {
                 places.len()
             ));
         };
+        if let Some(at) = (1..places.len()).find(|&at| places[..at].contains(&places[at])) {
+            let place = places[at] + 1;
+            return Err(format!("column {place} is chosen twice"));
+        }
         let is_header = !begins_as_number(fields[x]) && !begins_as_number(fields[y]);
         let names = match is_header {
             true => names(fields),
@@ -295,14 +336,6 @@ impl Header {
     }
 }
 
-/// Whether a name is that of a column with geometries.
-fn holds_shapes(name: &[u8]) -> bool {
-    let names = ["wkt", "geom", "geometry", "the_geom"];
-    names
-        .iter()
-        .any(|known| name.eq_ignore_ascii_case(known.as_bytes()))
-}
-
 fn is_missing(field: &[u8]) -> bool {
     let is_it = |word: &&[u8]| field.eq_ignore_ascii_case(word);
     field.is_empty() || MISSING.iter().any(is_it)
@@ -321,6 +354,11 @@ fn is_number(field: &[u8]) -> bool {
 fn begins_as_number(field: &[u8]) -> bool {
     let unsigned = field.strip_prefix(b"-").unwrap_or(field);
     is_number(field) || unsigned.first().is_some_and(u8::is_ascii_digit)
+}
+
+/// Whether there is a number among the fields, so that they are no names.
+fn is_row(fields: &[&[u8]]) -> bool {
+    fields.iter().any(|field| begins_as_number(field))
 }
 
 /// Whether a field is a number, too large a one included, which is then refused where it stands.
@@ -345,6 +383,8 @@ struct Table<'a> {
     columns: Vec<Option<Vec<&'a [u8]>>>,
     /// How many fields were left out of short rows.
     left_out: usize,
+    /// The fewest fields of a row, if all rows have more than the first one.
+    least_beyond: Option<usize>,
 }
 
 impl<'a> Table<'a> {
@@ -359,6 +399,7 @@ impl<'a> Table<'a> {
             z,
             coordinates: Vec::new(),
             left_out: 0,
+            least_beyond: Some(usize::MAX),
         }
     }
 
@@ -367,6 +408,9 @@ impl<'a> Table<'a> {
         let width = self.columns.len();
         let error = |message: String| Err(self.source.error_in_line(line, message));
         let is_beyond = |field: &&[u8]| is_double(field);
+        let has_more = fields.iter().skip(width).any(|field| !field.is_empty());
+        let least = self.least_beyond.map(|least| least.min(fields.len()));
+        self.least_beyond = least.filter(|_| has_more);
         self.left_out += width.saturating_sub(fields.len());
         if fields.iter().skip(width).any(is_beyond) || self.left_out > self.source.bytes.len() {
             let (fields, first) = (fields.len(), self.first_line);
@@ -382,9 +426,7 @@ impl<'a> Table<'a> {
             }
             if field(at).contains(&b',') || field(at).contains(&b' ') {
                 let shown = quoted(field(at));
-                return error(format!(
-                    "{shown} is not a coordinate: decimal commas are not read, only points, as in 0.5"
-                ));
+                return error(format!("{shown} is not a coordinate: {NO_COMMAS}"));
             }
         }
         self.coordinates.push([field(x), field(y)]);
@@ -400,11 +442,10 @@ impl<'a> Table<'a> {
         Ok(())
     }
 
-    /// Whether nothing tells that the first of more than three columns is x, and it counts three rows and more from 1
-    /// on.
+    /// Whether nothing tells that the first of three columns or more is x, and it counts three rows and more from 1 on.
     fn is_numbered(&self) -> bool {
         let names = &self.header.names;
-        let has_numbers = names.len() > 3 && names.iter().all(String::is_empty);
+        let has_numbers = names.len() > 2 && names.iter().all(String::is_empty);
         let mut rows = (1_usize..).zip(&self.coordinates);
         has_numbers
             && self.coordinates.len() > 2

@@ -1,12 +1,10 @@
 //! Text as rows of fields, which a comma, a semicolon, a tab or blanks separate, as in `.csv`.
 //!
-//! Lines that begin with `#` or `//` are comments, and rows without anything in their fields do not count. A field may stand
-//! in quotes: then separators and ends of lines in it mean nothing, and a doubled quote is one. Blanks around a field do
+//! Lines that begin with `#`, `//`, `%`, `!` or, where it separates nothing, `;` are comments, and rows without anything in
+//! their fields do not count. A field may stand in quotes: then separators and ends of lines in it mean nothing, and a doubled quote is one. Blanks around a field do
 //! not belong to it. Where blanks separate, many are as one, and `#` ends the row.
 //!
 //! Each field is a piece of the source, found in one pass over the text.
-
-use std::borrow::Cow;
 
 use crate::read::source::{ReadError, Source, quoted, split_line};
 
@@ -85,8 +83,7 @@ impl<'a> Rows<'a> {
             let line = self.lines;
             let (text, rest) = split_line(self.rest);
             let text = text.trim_ascii();
-            let comment = text.strip_prefix(b"#").or_else(|| text.strip_prefix(b"//"));
-            if let Some(comment) = comment {
+            if let Some(comment) = self.comment_in(text) {
                 (self.comment, self.rest) = (comment, rest);
                 continue;
             }
@@ -96,6 +93,14 @@ impl<'a> Rows<'a> {
             }
         }
         Ok(None)
+    }
+
+    /// What a line says behind the sign of a comment, if it begins with one.
+    fn comment_in(&self, line: &'a [u8]) -> Option<&'a [u8]> {
+        let mut signs = [&b"#"[..], b"//", b"%", b"!", b";"].into_iter();
+        let comment = signs.find_map(|sign| line.strip_prefix(sign))?;
+        let separates = self.separator == Separator::Semicolon && line.starts_with(b";");
+        (!separates).then_some(comment)
     }
 
     /// The fields of the last comment before the row that was read last.
@@ -194,8 +199,11 @@ impl<'a> Rows<'a> {
     }
 }
 
-/// The text of a field, with single quotes for doubled ones.
+/// The text of a field, with single quotes for doubled ones. One that is no UTF-8 is Latin-1, as old programs write.
 pub(super) fn text(field: &[u8]) -> String {
-    let text: Cow<'_, str> = String::from_utf8_lossy(field);
+    let text = match std::str::from_utf8(field) {
+        Ok(text) => text.to_owned(),
+        Err(_) => field.iter().copied().map(char::from).collect(),
+    };
     text.replace("\"\"", "\"")
 }
