@@ -1,6 +1,5 @@
 //! The simulation beside runs of the command.
 
-use std::ffi::OsString;
 use std::fs::{self, File};
 use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
@@ -15,7 +14,7 @@ use crate::measure;
 use crate::simulate::{Plan, simulate};
 
 const POINTS: u32 = 20_000_000;
-const BAND: u64 = 250_000;
+const BAND: u64 = 1_000_000;
 const FAN: usize = 8;
 
 /// Cuts, and joins with one process at a time and with two.
@@ -35,22 +34,13 @@ pub(crate) fn run(command: &Path) {
     );
     let disk = measure::disk();
     let bands = folder.join("bands");
-    let cut = seconds(|| {
-        let size = BAND.to_string();
-        let arguments = [
-            OsString::from("stream"),
-            points.clone().into(),
-            "--band".into(),
-        ];
-        done(
-            Command::new(command)
-                .args(arguments)
-                .arg(size)
-                .arg("-o")
-                .arg(&bands),
-        );
+    let cut = timed(|| {
+        let (size, mut cut) = (BAND.to_string(), Command::new(command));
+        cut.arg("stream").arg(&points).args(["--band", &size, "-o"]);
+        done(cut.arg(&bands));
     });
-    println!("| workers | | simulated | run | error |\n|---:|---|---:|---:|---:|");
+    println!("| workers | | simulated | run | error | processor, a worker | error |");
+    println!("|---:|---|---:|---:|---:|---:|---:|");
     for workers in [1, 2] {
         let plan = Plan {
             workers,
@@ -60,17 +50,23 @@ pub(crate) fn run(command: &Path) {
             served: workers,
         };
         let simulated = simulate(&band, sort, plan);
-        let runs =
-            (0..3).map(|_| seconds(|| join(command, &bands, &folder.join("joined"), workers)));
-        let least = runs.fold(f64::INFINITY, f64::min);
+        let runs = (0..3).map(|_| timed(|| join(command, &bands, &folder.join("joined"), workers)));
+        let runs: Vec<[f64; 2]> = runs.collect();
+        let least = [0, 1].map(|i| runs.iter().map(|run| run[i]).fold(f64::INFINITY, f64::min));
         let rows = [
-            ("sort and cut", simulated.sort, cut),
-            ("bands and joins", simulated.bands + simulated.joins, least),
+            ("sort and cut", simulated.sort, cut, 1),
+            (
+                "bands and joins",
+                simulated.bands + simulated.joins,
+                least,
+                workers,
+            ),
         ];
-        for (what, simulated, run) in rows {
+        for (what, simulated, [run, processor], workers) in rows {
+            let each = processor / workers as f64;
+            let [error, of_each] = [run, each].map(|time| 100.0 * (simulated / time - 1.0));
             println!(
-                "| {workers} | {what} | {simulated:.2} s | {run:.2} s | {:+.0} % |",
-                100.0 * (simulated / run - 1.0)
+                "| {workers} | {what} | {simulated:.2} s | {run:.2} s | {error:+.0} % | {each:.2} s | {of_each:+.0} % |"
             );
         }
     }
@@ -123,8 +119,25 @@ fn done(command: &mut Command) {
     );
 }
 
-fn seconds(run: impl FnOnce()) -> f64 {
-    let start = Instant::now();
+/// Seconds of a run, and of the processor in the processes that it starts.
+fn timed(run: impl FnOnce()) -> [f64; 2] {
+    let (start, before) = (Instant::now(), children());
     run();
-    start.elapsed().as_secs_f64()
+    [start.elapsed().as_secs_f64(), children() - before]
+}
+
+/// Seconds of the processor that processes took which were started here and have ended; none beside Linux.
+fn children() -> f64 {
+    let text = fs::read_to_string("/proc/self/stat").unwrap_or_default();
+    // Behind the name of the program; hundredths of a second.
+    let fields = text
+        .rsplit(')')
+        .next()
+        .unwrap_or_default()
+        .split_whitespace();
+    let hundredths = fields
+        .skip(13)
+        .take(2)
+        .filter_map(|field| field.parse::<f64>().ok());
+    hundredths.sum::<f64>() / 100.0
 }

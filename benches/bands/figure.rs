@@ -76,7 +76,7 @@ fn draw<'a>(
         .margin(10)
         .x_label_area_size(44)
         .y_label_area_size(64)
-        .build_cartesian_2d((0.9..1200.0).log_scale(), (0.5..40_000.0).log_scale())?;
+        .build_cartesian_2d((0.9..1200.0).log_scale(), (0.5..200_000.0).log_scale())?;
     chart
         .configure_mesh()
         .light_line_style(TRANSPARENT)

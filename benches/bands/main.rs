@@ -45,9 +45,9 @@ fn report(totals: &[u64], draws: bool) {
         measure::disk() / 1e9
     );
     println!(
-        "\n| points | a band | ns a point | a rest | by the root | bytes | left of eight | join of eight | ns a vertex | GB, band | GB, join |"
+        "\n| points | a band | cut, ns a point | ns a point | a rest | by the root | bytes | left of eight | join of eight | ns a vertex | GB, band | GB, join |"
     );
-    println!("|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|");
+    println!("|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|");
     let mut all: Vec<Vec<Band>> = Vec::new();
     for &total in totals {
         let root = total.isqrt();
@@ -57,8 +57,9 @@ fn report(totals: &[u64], draws: bool) {
         for band in &bands {
             let [of_band, of_join] = band.memory.map(|bytes| bytes as f64 / 1e9);
             println!(
-                "| {total:.0e} | {} | {:.0} | {:.0} | {:.2} | {:.0} | {:.0} | {:.2} s | {:.0} | {of_band:.2} | {of_join:.2} |",
+                "| {total:.0e} | {} | {:.0} | {:.0} | {:.0} | {:.2} | {:.0} | {:.0} | {:.2} s | {:.0} | {of_band:.2} | {of_join:.2} |",
                 band.size,
+                1e9 * band.cutting / band.size as f64,
                 1e9 * band.seconds / band.size as f64,
                 band.rest,
                 band.rest / root as f64,
@@ -130,7 +131,7 @@ fn simulated(all: &[Vec<Band>], sort: f64) {
             ..
         } = one;
         println!(
-            "one worker: {sort:.0} s sort, {:.0} s bands, {joining:.0} s joins",
+            "one worker: {sort:.0} s sort and cut, {:.0} s bands, {joining:.0} s joins",
             bands + joins - joining
         );
     }

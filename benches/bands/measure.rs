@@ -8,7 +8,7 @@ use std::sync::LazyLock;
 use std::thread;
 use std::time::Instant;
 
-use sweep_cdt::{Session, Triangulator};
+use sweep_cdt::Triangulator;
 use sweep_cdt_stream::{Cut, Final, Rest};
 use sweep_cdt_testing::Random;
 
@@ -23,6 +23,8 @@ pub(crate) struct Band {
     /// The points of the input, and of the band.
     pub(crate) total: u64,
     pub(crate) size: u64,
+    /// Seconds from sorted points to the bytes of the band.
+    pub(crate) cutting: f64,
     /// From the bytes of the band to those of its triangles and its rest.
     pub(crate) seconds: f64,
     /// Bytes of memory at the peak, of a band and of a join of eight rests.
@@ -107,8 +109,7 @@ pub(crate) fn band(total: u64, size: u64) -> Band {
         between: [0.0, 1.0],
     };
     let mut random = Random::new(total + size);
-    let mut session = Triangulator::new().session();
-    let (mut seconds, mut memory) = (f64::INFINITY, [0; 2]);
+    let (mut cutting, mut seconds, mut memory) = (f64::INFINITY, f64::INFINITY, [0; 2]);
     let mut rests = Vec::new();
     // From the middle, so that something lies below and above.
     let below = total / 2 - BANDS / 2 * size;
@@ -117,10 +118,12 @@ pub(crate) fn band(total: u64, size: u64) -> Band {
         let y = [first, first + size].map(|n| n as f64 / total as f64);
         let mut points = numbered(&mut random, usize::try_from(size).expect("fits"), y);
         sort_points(&mut points);
+        let start = processor();
         let rest = cut.band(first, points, [], |_| {}).expect("sorted points");
         let bytes = [rest.to_bytes()];
         drop(rest);
-        let (rest, time) = measured(&bytes, &mut session, &mut memory[0]);
+        cutting = cutting.min(processor() - start);
+        let (rest, time) = measured(&bytes, &mut memory[0]);
         seconds = seconds.min(time);
         rests.push(rest);
     }
@@ -130,7 +133,7 @@ pub(crate) fn band(total: u64, size: u64) -> Band {
         let taken: f64 = rests[..fan].iter().map(|rest| vertices(rest)).sum();
         let mut least = f64::INFINITY;
         for _ in 0..7 {
-            let (rest, time) = measured(&rests[..fan], &mut session, &mut memory[1]);
+            let (rest, time) = measured(&rests[..fan], &mut memory[1]);
             least = least.min(time);
             left = vertices(&rest);
         }
@@ -140,6 +143,7 @@ pub(crate) fn band(total: u64, size: u64) -> Band {
     Band {
         total,
         size,
+        cutting,
         seconds,
         memory,
         rest: mean(|rest| vertices(rest)),
@@ -150,7 +154,7 @@ pub(crate) fn band(total: u64, size: u64) -> Band {
 }
 
 /// What `sweep-cdt join` does between reading and writing: the bytes of a rest, and seconds.
-fn measured(files: &[Vec<u8>], session: &mut Session, peak: &mut usize) -> (Vec<u8>, f64) {
+fn measured(files: &[Vec<u8>], peak: &mut usize) -> (Vec<u8>, f64) {
     let before = MEMORY.current_usage();
     MEMORY.reset_peak_usage();
     let start = processor();
@@ -159,11 +163,13 @@ fn measured(files: &[Vec<u8>], session: &mut Session, peak: &mut usize) -> (Vec<
         .map(|bytes| Rest::from_bytes(bytes).expect("a rest"));
     let all = rests.reduce(|below, above| below.followed_by(above).expect("the next one"));
     let mut triangles: Vec<u8> = Vec::new();
-    let settled = all.expect("a rest").settle(session, |found| {
-        if let Final::Triangle { corners, .. } = found {
-            triangles.extend(corners.map(u64::to_le_bytes).as_flattened());
-        }
-    });
+    let settled = all
+        .expect("a rest")
+        .settle(&mut Triangulator::new().session(), |found| {
+            if let Final::Triangle { corners, .. } = found {
+                triangles.extend(corners.map(u64::to_le_bytes).as_flattened());
+            }
+        });
     let bytes = settled.expect("no edges that cross").to_bytes();
     let seconds = processor() - start;
     *peak = (*peak).max(MEMORY.peak_usage() - before);

@@ -64,7 +64,7 @@ pub(crate) fn best(measured: &[Band], sort: f64, plan: Plan) -> Run {
         .expect("a measured size")
 }
 
-/// A run, where sorting n points takes `sort` n log n seconds.
+/// A run, where sorting n points, without cutting, takes `sort` n log n seconds.
 pub(crate) fn simulate(band: &Band, sort: f64, plan: Plan) -> Run {
     let n = band.total as f64;
     // All workers read the points and write bands; one machine writes and reads runs between, as more than memory holds.
@@ -73,7 +73,8 @@ pub(crate) fn simulate(band: &Band, sort: f64, plan: Plan) -> Run {
         false => (plan.workers, POINT + RECORD),
     };
     let disks = sorters.min(plan.served) as f64;
-    let sort = n * (sort * n.log2() / sorters as f64 + bytes / plan.disk / disks);
+    let each = sort * n.log2() + band.cutting / band.size as f64;
+    let sort = n * (each / sorters as f64 + bytes / plan.disk / disks);
     let tasks = tasks(band, plan);
     let [bands, all] = scheduled(&tasks, plan);
     let joins = tasks.iter().filter(|task| !task.from.is_empty());
