@@ -41,6 +41,13 @@ pub(crate) fn run(command: &Path) {
     });
     println!("| workers | | simulated | run | error | processor, a worker | error |");
     println!("|---:|---|---:|---:|---:|---:|---:|");
+    let row = |workers: usize, what, simulated, [run, processor]: [f64; 2]| {
+        let each = processor / workers as f64;
+        let [error, of_each] = [run, each].map(|time| 100.0 * (simulated / time - 1.0));
+        println!(
+            "| {workers} | {what} | {simulated:.2} s | {run:.2} s | {error:+.0} % | {each:.2} s | {of_each:+.0} % |"
+        );
+    };
     for workers in [1, 2] {
         let plan = Plan {
             workers,
@@ -50,25 +57,14 @@ pub(crate) fn run(command: &Path) {
             served: workers,
         };
         let simulated = simulate(&band, sort, plan);
+        if workers == 1 {
+            row(1, "sort and cut", simulated.sort, cut);
+        }
         let runs = (0..3).map(|_| timed(|| join(command, &bands, &folder.join("joined"), workers)));
         let runs: Vec<[f64; 2]> = runs.collect();
         let least = [0, 1].map(|i| runs.iter().map(|run| run[i]).fold(f64::INFINITY, f64::min));
-        let rows = [
-            ("sort and cut", simulated.sort, cut, 1),
-            (
-                "bands and joins",
-                simulated.bands + simulated.joins,
-                least,
-                workers,
-            ),
-        ];
-        for (what, simulated, [run, processor], workers) in rows {
-            let each = processor / workers as f64;
-            let [error, of_each] = [run, each].map(|time| 100.0 * (simulated / time - 1.0));
-            println!(
-                "| {workers} | {what} | {simulated:.2} s | {run:.2} s | {error:+.0} % | {each:.2} s | {of_each:+.0} % |"
-            );
-        }
+        let time = simulated.bands + simulated.joins;
+        row(workers, "bands and joins", time, least);
     }
     fs::remove_dir_all(&folder).expect("what was written");
 }

@@ -6,7 +6,6 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 
 use crate::measure::Band;
-use crate::plan;
 use crate::simulate::{Plan, Run, best};
 
 const SIZE: (u32, u32) = (1000, 470);
@@ -95,7 +94,7 @@ fn draw<'a>(
             _ => (4, color.stroke_width(1)),
         };
         let mark = |at| Circle::new(at, size, style);
-        let point = |w: &usize| (*w as f64, time(&best(bands, sort, of(plan(*w)))));
+        let point = |w: &usize| (*w as f64, time(&best(bands, sort, of(Plan::of(*w)))));
         let points: Vec<(f64, f64)> = WORKERS.iter().map(point).collect();
         chart.draw_series(LineSeries::new(points.clone(), color.stroke_width(2)))?;
         chart

@@ -9,13 +9,8 @@ mod figure;
 mod measure;
 mod simulate;
 
-use peak_alloc::PeakAlloc;
-
 use measure::Band;
-use simulate::{DISK, Plan, Run, SERVED, best};
-
-#[global_allocator]
-static MEMORY: PeakAlloc = PeakAlloc;
+use simulate::{Plan, Run, best};
 
 /// Bands have so many rows of points.
 const ROWS: [u64; 4] = [16, 32, 64, 128];
@@ -86,9 +81,9 @@ fn simulated(all: &[Vec<Band>], sort: f64) {
     );
     println!("|---:|---:|---:|---:|---:|---:|---|---:|---:|---:|---:|---:|");
     for bands in all {
-        let one = best(bands, sort, plan(1));
+        let one = best(bands, sort, Plan::of(1));
         for workers in [1, 10, 100, 1000] {
-            let plan = plan(workers);
+            let plan = Plan::of(workers);
             let run = best(bands, sort, plan);
             let apart = best(
                 bands,
@@ -134,16 +129,5 @@ fn simulated(all: &[Vec<Band>], sort: f64) {
             "one worker: {sort:.0} s sort and cut, {:.0} s bands, {joining:.0} s joins",
             bands + joins - joining
         );
-    }
-}
-
-/// All workers sort, on a file system that they share.
-pub(crate) fn plan(workers: usize) -> Plan {
-    Plan {
-        workers,
-        fan: 8,
-        sorted_by_one: false,
-        disk: DISK,
-        served: SERVED,
     }
 }

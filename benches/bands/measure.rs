@@ -8,11 +8,13 @@ use std::sync::LazyLock;
 use std::thread;
 use std::time::Instant;
 
+use peak_alloc::PeakAlloc;
 use sweep_cdt::Triangulator;
 use sweep_cdt_stream::{Cut, Final, Rest};
 use sweep_cdt_testing::Random;
 
-use crate::MEMORY;
+#[global_allocator]
+static MEMORY: PeakAlloc = PeakAlloc;
 
 /// So many bands follow each other.
 const BANDS: u64 = 8;

@@ -7,9 +7,9 @@ use std::time::Duration;
 use crate::measure::Band;
 
 /// Bytes a second that one worker reads or writes.
-pub(crate) const DISK: f64 = 0.5e9;
+const DISK: f64 = 0.5e9;
 /// So many workers a file system serves at once; the others wait.
-pub(crate) const SERVED: usize = 10;
+const SERVED: usize = 10;
 /// A vertex in a file of points, and in a band.
 const POINT: f64 = 16.0;
 const RECORD: f64 = 24.0;
@@ -25,6 +25,19 @@ pub(crate) struct Plan {
     /// Bytes a second of a worker, and how many workers read or write at once.
     pub(crate) disk: f64,
     pub(crate) served: usize,
+}
+
+impl Plan {
+    /// All workers sort, on a file system that they share.
+    pub(crate) fn of(workers: usize) -> Plan {
+        Plan {
+            workers,
+            fan: 8,
+            sorted_by_one: false,
+            disk: DISK,
+            served: SERVED,
+        }
+    }
 }
 
 /// Seconds of a run.
