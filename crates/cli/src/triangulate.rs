@@ -171,6 +171,7 @@ impl Triangulate {
             limit_threads(threads);
         }
         let mut read = self.reading.files();
+        read.takes_properties = true;
         let input = self.layers.read(&mut read)?;
         let name = self.layers.name();
         let (input, splitting) = if self.split.is_asked() {

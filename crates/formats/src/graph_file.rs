@@ -5,7 +5,7 @@ use sweep_cdt::scalar::Scalar;
 
 use crate::order::{order, sorted};
 use crate::remark::Conflicts;
-use crate::{CoordinateSystem, Layer, Numbering, Polygons, Remark};
+use crate::{CoordinateSystem, Layer, Numbering, Polygons, Properties, Remark};
 
 /// A graph, all in the order of its file, and what the file says beyond it.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,6 +30,8 @@ pub struct GraphFile<S> {
     pub edge_features: Vec<u32>,
     /// How many features there are; 0, if the format has none.
     pub features: usize,
+    /// The properties of the features that have polygons: see [`GraphFile::without_properties`].
+    pub properties: Properties,
     /// The faces of a mesh. They are no part of the graph: see [`GraphFile::with_faces`].
     pub faces: Faces,
     /// The coordinate system, if the file names one.
@@ -165,6 +167,7 @@ impl<S> From<Pslg<S>> for GraphFile<S> {
             polygons: Polygons::default(),
             edge_features: Vec::new(),
             features: 0,
+            properties: Properties::default(),
             faces: Faces::default(),
             system: None,
             merged: 0,

@@ -34,6 +34,7 @@ mod layers;
 mod messages;
 mod numbering;
 mod polygons;
+mod properties;
 mod read;
 mod remark;
 mod seeds;
@@ -47,10 +48,13 @@ pub use format::Format;
 pub use graph_file::{Column, Faces, GraphFile, sorted_pairs};
 pub use numbering::{Layer, Numbering};
 pub use polygons::Polygons;
+pub use properties::Properties;
+#[cfg(feature = "las")]
+pub use read::Cloud;
 pub use read::ply_parts as ply;
 pub use read::{
     Input, Listed, Matched, Matching, Nearest, Precision, ReadError, ReadErrorKind, ResultError,
-    Source, Triangles, WayOut, added_points, named_columns, named_height, quoted, read,
+    Source, Triangles, WayOut, added_points, named_columns, named_height, quoted, raised, read,
     read_result, reason,
 };
 pub use remark::{NoTriangles, Remark};

@@ -17,6 +17,7 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use sweep_cdt::Triangulator;
+use sweep_cdt_engine::Remark;
 use sweep_cdt_stream::external::{Choice, Statistics, Summary, SweepOrder};
 use sweep_cdt_stream::{Final, Stream, StreamError, StreamStats, StreamVerifier, StreamViolation};
 
@@ -29,7 +30,7 @@ pub(crate) use join::Join;
 pub(crate) use order::SortArgs;
 use order::is_one_place;
 use output::{Format, Triangles};
-use terrain::{Passing, Terrain, TerrainOutputs};
+use terrain::{Passing, RasterFormat, Terrain, TerrainOutputs};
 pub(crate) use verify::verify_stream;
 use writing::Targets;
 
@@ -230,6 +231,12 @@ impl StreamCommand {
             })?;
         if self.terrain.is_asked() && !sorted.has_heights {
             return Err(no_heights(&name));
+        }
+        if let (Some(system), Some((raster, RasterFormat::Asc))) = (&sorted.system, &terrain.raster)
+        {
+            let what = vec![format!("the coordinate system {}", system.name())];
+            let raster = raster.name.display().to_string();
+            read.say(&raster, &[Remark::NotWritten { what }])?;
         }
         let summary = sorted.order.summary();
         if let Some(format) = format {

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use bytesize::ByteSize;
 use sweep_cdt_engine::Remark;
+use sweep_cdt_formats::CoordinateSystem;
 use sweep_cdt_stream::external::{
     Choice, Error, FORMATS, Format, Input, Sorting, SweepOrder, open_chosen,
 };
@@ -44,6 +45,7 @@ pub(super) struct Sorted {
     pub(super) first_edge: u64,
     /// Whether the vertices come with heights.
     pub(super) has_heights: bool,
+    pub(super) system: Option<CoordinateSystem>,
     path: PathBuf,
     format: Format,
     choice: Choice,
@@ -121,6 +123,7 @@ impl SortArgs {
             first_point,
             first_edge,
             has_heights: opened.heights().is_some(),
+            system: opened.system(),
             path: path.to_owned(),
             format,
             choice,

@@ -49,7 +49,7 @@ impl StreamCommand {
             None => first_point,
             Some(_) => 0,
         };
-        let mut terrain = self.terrain.begin(&name, &summary, &self.sort)?;
+        let mut terrain = self.terrain.begin(&name, &sorted, &self.sort)?;
         let (triangles, format) = targets.triangles.unzip();
         let (lines, line_format) = targets.terrain.lines.unzip();
         let [mut outputs, mut of_vertices, mut of_terrain] = [(); 3].map(|()| Outputs::default());

@@ -169,7 +169,7 @@ fn unsupported(format: Format, what: &str) -> io::Error {
     io::Error::new(io::ErrorKind::Unsupported, format.lacks(what))
 }
 
-/// Writes a graph that is not triangulated, in one of [`Format::INPUTS`]. [`read()`](crate::read()) makes the same one of
+/// Writes a graph that is not triangulated, in one of [`Format::GRAPHS`]. [`read()`](crate::read()) makes the same one of
 /// it, but for fractions, which only `.node`, `.poly`, `.json` and points as text hold: the others have the nearest
 /// doubles. A `.node` and points as text hold vertices alone, and a `.poly` without vertices is read as one whose vertices
 /// are in the `.node` beside it.

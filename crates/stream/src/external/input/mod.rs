@@ -12,7 +12,7 @@ mod triangle;
 
 use std::path::Path;
 
-use sweep_cdt_formats::{Format, ReadError, Remark};
+use sweep_cdt_formats::{CoordinateSystem, Format, ReadError, Remark};
 
 /// Points and edges that come in pieces: a file, or what a program makes.
 pub trait Input {
@@ -51,6 +51,11 @@ pub trait Input {
     /// Whether the points have heights in the input, left out or not.
     fn has_heights(&self) -> bool {
         false
+    }
+
+    /// The coordinate system of the points, if the input names one.
+    fn system(&self) -> Option<CoordinateSystem> {
+        None
     }
 
     /// How many bytes of how many are read.
@@ -111,10 +116,7 @@ pub fn open_chosen(
     edges: Option<&Path>,
     choice: &Choice,
 ) -> Result<Box<dyn Input>, ReadError> {
-    if !choice.classes.is_empty() && !matches!(format, Format::Las | Format::Laz) {
-        let message = format!("a .{} has no classes of points", format.name());
-        return Err(ReadError::of_file(path.display().to_string(), message));
-    }
+    format.expect_classes(&path.display().to_string(), &choice.classes)?;
     let input: Box<dyn Input> = match format {
         Format::F64 => Box::new(raw::Points::open(path)?),
         Format::Ply => Box::new(ply::Ply::open(path, choice.heights)?),

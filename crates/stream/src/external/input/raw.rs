@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use sweep_cdt_formats::{ReadError, Remark};
+use sweep_cdt_formats::{CoordinateSystem, ReadError, Remark};
 
 use crate::external::input::Input;
 use crate::external::input::file::{InputFile, PIECE};
@@ -126,6 +126,10 @@ impl Input for WithEdges {
 
     fn has_heights(&self) -> bool {
         self.points.has_heights()
+    }
+
+    fn system(&self) -> Option<CoordinateSystem> {
+        self.points.system()
     }
 
     fn progress(&self) -> (u64, u64) {
