@@ -64,8 +64,8 @@ pub use system::CoordinateSystem;
 #[cfg(feature = "geotiff")]
 pub use write::write_geotiff;
 pub use write::{
-    Cell, LineWriter, RasterHead, Ridges, edges_along, json_coordinate, not_written, write,
-    write_asc, write_cells, write_certificate, write_crossings, write_graph, write_interior,
+    Cell, LineWriter, RasterHead, Ridges, edges_along, json_coordinate, not_written, one_word,
+    write, write_asc, write_cells, write_certificate, write_crossings, write_graph, write_interior,
     write_lines, write_node, write_ridges, write_violations,
 };
 

@@ -182,7 +182,7 @@ impl ReadingArgs {
         Choice {
             columns: self.columns.clone(),
             classes: self.classes.clone(),
-            heights: false,
+            ..Choice::default()
         }
     }
 
@@ -357,6 +357,12 @@ impl FilesRead {
         let metadata = fs::metadata(path).ok().filter(Metadata::is_file);
         let identity = metadata.and_then(|metadata| Identity::there(path, &metadata).ok());
         self.identities.extend(identity);
+    }
+
+    /// Notes the file that standard input is, if it is one.
+    pub(crate) fn add_standard(&mut self) {
+        let which = standard_input().filter(|(kind, _)| kind.is_file());
+        self.identities.extend(which.map(|(_, identity)| identity));
     }
 
     /// Whether this file was read.

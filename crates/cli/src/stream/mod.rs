@@ -3,6 +3,7 @@
 mod bands;
 mod beside;
 mod join;
+mod node;
 mod numbers;
 mod order;
 mod output;
@@ -27,6 +28,7 @@ use crate::shared::outputs::{Destination, refuse_read, refuse_twice};
 use crate::shared::resources::Progress;
 use crate::shared::terrain::no_heights;
 pub(crate) use join::Join;
+use node::Node;
 pub(crate) use order::SortArgs;
 use order::is_one_place;
 use output::{Format, Triangles};
@@ -214,19 +216,25 @@ impl StreamCommand {
         let part = destination.as_ref().map(Destination::part).transpose()?;
         let part = part.flatten();
         let read = self.sort.files(&self.input, self.strict);
+        let node = match (format, &destination) {
+            (Some(Format::Ele), Some(ele)) if vertices.is_none() => Node::beside(ele, &read)?,
+            _ => None,
+        };
+        let has_columns = format == Some(Format::Ply) || node.is_some();
         let all = || {
             destination
                 .iter()
                 .chain(&part)
                 .chain(&vertices)
                 .chain(terrain.all())
+                .chain(node.iter().filter_map(Node::written))
         };
         refuse_read(&read, all())?;
         refuse_twice(all())?;
         let name = self.input.input_name();
         let sorted = self
             .sort
-            .sorted(&self.input, self.choice(format), |remarks| {
+            .sorted(&self.input, self.choice(has_columns), |remarks| {
                 read.say(&name, remarks)
             })?;
         if self.terrain.is_asked() && !sorted.has_heights {
@@ -250,6 +258,7 @@ impl StreamCommand {
         let targets = Targets {
             triangles: destination.zip(format),
             vertices,
+            node,
             terrain,
         };
         let outcome = self.written(sorted, targets, &read)?;
@@ -260,11 +269,12 @@ impl StreamCommand {
     }
 
     /// The parts of the input that are read.
-    fn choice(&self, format: Option<Format>) -> Choice {
+    fn choice(&self, has_columns: bool) -> Choice {
         Choice {
             columns: self.columns.clone(),
             classes: self.classes.clone(),
-            heights: self.terrain.is_asked() || format == Some(Format::Ply),
+            heights: self.terrain.is_asked() || has_columns,
+            others: has_columns,
         }
     }
 

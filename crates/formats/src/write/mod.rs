@@ -29,6 +29,7 @@ pub use json::json_coordinate;
 pub use labels::edges_along;
 pub use lines::{LineWriter, write_lines};
 pub use losses::not_written;
+pub use mesh_formats::one_word;
 #[cfg(feature = "geotiff")]
 pub use raster::write_geotiff;
 pub use raster::{RasterHead, write_asc};

@@ -464,11 +464,13 @@ impl<'a> Table<'a> {
         let mut seen: HashMap<String, usize> = HashMap::new();
         let mut fields: Vec<Field<'a>> = Vec::new();
         for (at, (name, pieces)) in header.names.into_iter().zip(self.columns).enumerate() {
-            let has_numbers = |pieces: &Vec<&[u8]>| pieces.iter().any(|piece| !piece.is_empty());
-            // Many programs end each row with a separator.
-            let is_nothing = name.is_empty() && pieces.is_some();
-            let Some(pieces) = pieces.filter(has_numbers) else {
-                if at != header.x && at != header.y && !is_nothing {
+            let count = match name.is_empty() {
+                true => &mut 0,
+                false => seen.entry(name.clone()).or_default(),
+            };
+            *count += 1;
+            let Some(pieces) = pieces else {
+                if at != header.x && at != header.y {
                     let name = match name.is_empty() {
                         true => (at + 1).to_string(),
                         false => name,
@@ -477,16 +479,15 @@ impl<'a> Table<'a> {
                 }
                 continue;
             };
-            let name = match name.as_str() {
+            // Nothing is lost of a column without any number. Many programs end each row with a separator.
+            if pieces.iter().all(|piece| piece.is_empty()) {
+                continue;
+            }
+            let name = match (name.as_str(), *count) {
                 _ if z == Some(at) => Column::HEIGHT.to_owned(),
-                "" => format!("column{}", at + 1),
-                _ => name,
-            };
-            let count = seen.entry(name.clone()).or_default();
-            *count += 1;
-            let name = match *count {
-                1 => name,
-                _ => format!("{name}_{count}"),
+                ("", _) => format!("column{}", at + 1),
+                (_, 1) => name,
+                (_, count) => format!("{name}_{count}"),
             };
             fields.push(Field {
                 name,

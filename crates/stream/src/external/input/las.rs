@@ -1,7 +1,6 @@
 //! Point clouds of laser scanners, `.las` and `.laz`, read in pieces.
 
 use std::io::BufReader;
-use std::path::Path;
 
 use sweep_cdt_formats::{Cloud as Points, CoordinateSystem, ReadError, Remark};
 
@@ -18,8 +17,7 @@ pub(super) struct Cloud {
 }
 
 impl Cloud {
-    pub(super) fn open(path: &Path, choice: &Choice) -> Result<Cloud, ReadError> {
-        let file = InputFile::open(path)?;
+    pub(super) fn new(file: InputFile, choice: &Choice) -> Result<Cloud, ReadError> {
         let read = BufReader::new(file.handle()?);
         let points = Points::open(read, file.length, &choice.classes);
         Ok(Cloud {
