@@ -322,6 +322,18 @@ impl<S> GraphFile<S> {
         self
     }
 
+    /// The file without the properties of its features, and remarks on them: for what has no triangles to give them to.
+    #[must_use]
+    pub fn without_properties(mut self) -> GraphFile<S> {
+        let ignored = std::mem::take(&mut self.properties).ignored();
+        let is_ignored = |remark: &Remark| matches!(remark, Remark::Ignored { .. });
+        // Remarks of one kind stay together.
+        let place = self.remarks.iter().rposition(is_ignored);
+        let place = place.map_or(self.remarks.len(), |place| place + 1);
+        self.remarks.splice(place..place, ignored);
+        self
+    }
+
     /// The file without the greatest areas of its regions, and a remark on them.
     #[must_use]
     pub fn without_areas(mut self) -> GraphFile<S> {

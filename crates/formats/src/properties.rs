@@ -4,8 +4,7 @@ use std::collections::HashMap;
 
 use serde_json::value::RawValue;
 
-use crate::read::Remarks;
-use crate::{GraphFile, Remark};
+use crate::{Remark, quoted};
 
 /// The name of one property and of many.
 pub(crate) const PROPERTY: [&str; 2] = ["property", "properties"];
@@ -93,24 +92,25 @@ impl Properties {
         let names = self.names.iter().take(MOST_NAMES);
         let more = self.names.len().saturating_sub(MOST_NAMES);
         let more = (more > 0).then(|| format!("{more} more properties"));
-        let named = names.map(|(name, _)| format!("the property `{}`", name.escape_debug()));
+        let named = names.map(|(name, _)| format!("the property {}", quoted(name.as_bytes())));
         named.chain(more)
     }
-}
 
-impl<S> GraphFile<S> {
-    /// The file without the properties of its features, and remarks on them: for what has no triangles to give them to.
-    #[must_use]
-    pub fn without_properties(mut self) -> GraphFile<S> {
-        let mut ignored = Remarks::default();
-        for (name, count) in std::mem::take(&mut self.properties).names {
-            ignored.ignore_named(count, PROPERTY, name.as_bytes());
-        }
-        let is_ignored = |remark: &Remark| matches!(remark, Remark::Ignored { .. });
-        // Remarks of one kind stay together.
-        let place = self.remarks.iter().rposition(is_ignored);
-        let place = place.map_or(self.remarks.len(), |place| place + 1);
-        self.remarks.splice(place..place, ignored.into_list());
-        self
+    /// The remarks where they count for nothing.
+    pub(crate) fn ignored(&self) -> Vec<Remark> {
+        let (named, others) = self.names.split_at(self.names.len().min(MOST_NAMES));
+        let others = others.iter().map(|(_, features)| features).sum();
+        let named = named.iter().map(|(name, features)| {
+            let [one, many] = PROPERTY.map(|kind| format!("{kind} {}", quoted(name.as_bytes())));
+            Remark::ignored(*features, &one, &many)
+        });
+        let others = (others > 0).then(|| {
+            Remark::ignored(
+                others,
+                "property of another name",
+                "properties of other names",
+            )
+        });
+        named.chain(others).collect()
     }
 }

@@ -52,7 +52,8 @@ const STEP: u64 = 1 << 16;
 #[derive(clap::Args)]
 #[command(after_long_help = AFTER_HELP)]
 pub(crate) struct StreamCommand {
-    /// Points and edges: .f64 (doubles, x and y of each point), .ply, .node, .poly, .csv, .xyz or .txt
+    /// Points and edges: .f64 (doubles, x and y of each point), .ply, .node, .poly, .csv, .xyz or .txt; `-` for standard
+    /// input, which is copied to a temporary file
     #[arg(value_name = "INPUT")]
     input: FileArgument,
 
@@ -93,7 +94,7 @@ pub(crate) struct StreamCommand {
     #[arg(long = "class", value_name = "CLASS", value_delimiter = ',')]
     classes: Vec<u8>,
 
-    /// Refuse inputs that say more than points and edges: heights, for example
+    /// Refuse inputs that say more than is read, and outputs that have no room for all that is
     #[arg(long)]
     strict: bool,
 
@@ -116,15 +117,18 @@ Output:
   .u32, .u64
            three numbers for each triangle, little-endian, of 32 or 64 bits: the positions of its
            corners among the points of the input, from 0. NumPy reads them by fromfile
-  .ele     Triangle's elements, with the numbers that a .node or .poly gives its vertices
-  .ply     binary: the points in the order of the input, and the triangles. Their z is the height, NaN
-           where it is missing, or 0 where the input has no heights
+  .ele     Triangle's elements, with the numbers of the input. A .node beside it gets the points with
+           their heights and other columns, unless it was read, or --vertices is given. One that is
+           there must have the same contents
+  .ply     binary: the points in the order of the input with all columns, and the triangles. Their z is
+           the height, NaN where it is missing, or 0 where the input has no heights
   .geojson, .wkt
            contour lines (--contours), those of `sweep-cdt contours`, in the order in which they are
            complete
   .asc     a grid of heights (--raster), those of `sweep-cdt heights` at the centres of its cells;
            NODATA_value outside
-  .tif     the same as GeoTIFF of doubles, in a build with the feature `geotiff`; NaN outside
+  .tif     the same as GeoTIFF of doubles, in a build with the feature `geotiff`; NaN outside. It has
+           the coordinate system of a .las or .laz that names one by a number of the EPSG
   Where more stays alive than --memory holds, the triangles up to there are written to a file whose
   name ends in .incomplete. A run that fails otherwise writes no file.
 Memory:

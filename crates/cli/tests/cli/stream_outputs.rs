@@ -64,7 +64,7 @@ fn elements_have_the_numbers_of_the_file() {
 /// Heights and columns of every input go to the `.node` beside a `.ele`, and to a `.ply`, as `triangulate` writes them.
 #[test]
 fn columns_go_to_the_outputs_that_have_room() {
-    let table = "name,x,y,elev,wind,gap\na,0,0,1.5,7,\nb,4,0,,8,3\nc,4,0,2,9,\nd,0,4,3,-1,\n";
+    let table = "name,x,y,elev,wind,gap\na,0,0,1.5,7,\nb,4,0,2,8,3\nc,4,0,2,9,4\nd,0,4,,-1,\n";
     let node = "4 2 2 1\n1 0 0 1 5 0\n2 4 0 2 6 1\n3 4 4 3 7 0\n4 0 4 4 8 2\n";
     let ply = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float a\nproperty float y\nproperty float x\n\
                property list uchar int b\nproperty int c\nend_header\n7 0 0 1 9 3\n8 0 4 0 4\n9 4 0 2 1 1 5\n";

@@ -259,7 +259,13 @@ fn wrong_usage_says_what_to_do() {
         ),
         (
             "stream - -o t.u32",
-            "the format of standard input is not known: add --stream-format with one of f64, ply",
+            if cfg!(feature = "las") {
+                "the format of standard input is not known: add --stream-format with one of f64, ply, node, \
+                 poly, csv, xyz, txt, las, laz"
+            } else {
+                "the format of standard input is not known: add --stream-format with one of f64, ply, node, \
+                 poly, csv, xyz, txt"
+            },
         ),
         (
             "stream p.f64 -o - --stats",

@@ -37,7 +37,7 @@ const BYTES: u64 = 1 << 23;
 ///
 /// let file = File::open("tile.laz")?;
 /// let length = file.metadata()?.len();
-/// let mut cloud = Cloud::open(BufReader::new(file), length, &[2])?;
+/// let mut cloud = Cloud::open("tile.laz", BufReader::new(file), length, &[2])?;
 /// let (mut places, mut ground) = (Vec::new(), 0);
 /// while cloud.next_points(&mut places)? > 0 {
 ///     ground += places.drain(..).count();
@@ -46,6 +46,8 @@ const BYTES: u64 = 1 << 23;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub struct Cloud {
+    /// The name in errors.
+    name: String,
     reader: Reader,
     points: PointData,
     /// The classes of the points that come, if they were chosen, and how many points have come.
@@ -67,22 +69,27 @@ impl fmt::Debug for Cloud {
 }
 
 impl Cloud {
-    /// Begins to read a file of so many bytes. Points of these classes alone come; those of all, if there are none.
+    /// Begins to read a file of this name and so many bytes. Points of these classes alone come; those of all, if there are
+    /// none.
     ///
     /// # Errors
-    /// The beginning is that of no cloud, or promises more than the file has room for, in words.
+    /// The beginning is that of no cloud, or promises more than the file has room for.
     pub fn open(
+        name: impl Into<String>,
         read: impl Read + Seek + Send + Sync + 'static,
         length: u64,
         classes: &[u8],
-    ) -> Result<Cloud, String> {
-        let (reader, points_begin) = caught(|| reader(read, length))?;
+    ) -> Result<Cloud, ReadError> {
+        let name = name.into();
+        let opened = caught(|| reader(read, length));
+        let (reader, points_begin) = opened.map_err(|why| ReadError::of_file(&name, why))?;
         let header = reader.header();
         let (points, count) = (
             PointDataBuilder::new().for_header(header).build(),
             header.number_of_points(),
         );
         Ok(Cloud {
+            name,
             reader,
             points,
             classes: classes.to_vec(),
@@ -97,8 +104,8 @@ impl Cloud {
     /// Appends x, y and z of the next points, and returns how many these are. If there are none, no more will come.
     ///
     /// # Errors
-    /// The file ends, or is damaged: the words say after which point. No more can be read then.
-    pub fn next_points(&mut self, places: &mut Vec<[f64; 3]>) -> Result<usize, String> {
+    /// The file ends, or is damaged: the message says after which point. No more can be read then.
+    pub fn next_points(&mut self, places: &mut Vec<[f64; 3]>) -> Result<usize, ReadError> {
         let before = places.len();
         // Of some points none may be of a chosen class.
         while places.len() == before && self.read < self.count {
@@ -110,7 +117,7 @@ impl Cloud {
     }
 
     /// Appends those of the next points that were chosen.
-    fn read_some(&mut self, places: &mut Vec<[f64; 3]>) -> Result<(), String> {
+    fn read_some(&mut self, places: &mut Vec<[f64; 3]>) -> Result<(), ReadError> {
         let each = self.reader.header().point_format().len();
         let most = POINTS.min(BYTES / u64::from(each.max(1)));
         let most = most.min(self.count - self.read);
@@ -121,7 +128,7 @@ impl Cloud {
         });
         let fault = |why: &str| {
             let (read, count) = (self.read, self.count);
-            format!("after point {read} of {count}: {why}")
+            ReadError::of_file(&self.name, format!("after point {read} of {count}: {why}"))
         };
         match read {
             Ok(read) if read == most => {}
@@ -211,7 +218,7 @@ pub(super) fn read(source: &Source) -> Result<GraphFile<f64>, ReadError> {
     // The crate wants bytes of its own.
     let bytes = Cursor::new(source.bytes.clone());
     let length = source.bytes.len() as u64;
-    let mut cloud = Cloud::open(bytes, length, &source.classes).map_err(error)?;
+    let mut cloud = Cloud::open(&source.name, bytes, length, &source.classes)?;
     let limit = source.most_unpacked();
     let (_, count) = cloud.progress();
     if count.saturating_mul(size_of::<[f64; 3]>() as u64) > limit {
@@ -223,7 +230,7 @@ pub(super) fn read(source: &Source) -> Result<GraphFile<f64>, ReadError> {
         });
     }
     let (mut some, mut points, mut heights) = (Vec::new(), Vec::new(), Vec::new());
-    while cloud.next_points(&mut some).map_err(error)? > 0 {
+    while cloud.next_points(&mut some)? > 0 {
         points.extend(some.iter().map(|&[x, y, _]| [x, y]));
         heights.extend(some.drain(..).map(|[.., z]| z));
     }

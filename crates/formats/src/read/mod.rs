@@ -44,6 +44,5 @@ pub use matching::refusal::{Nearest, ResultError, WayOut};
 pub use matching::written::Precision;
 pub use names::{named_columns, named_height};
 pub use raised::raised;
-pub(crate) use remarks::Remarks;
 pub use result::{Triangles, added_points, read_result};
 pub use source::{ReadError, ReadErrorKind, Source, quoted, reason};

@@ -14,7 +14,7 @@ const OTHERS: [&str; 2] = ["thing of another kind", "things of other kinds"];
 
 /// What a reader has to say, as it goes on.
 #[derive(Default)]
-pub(crate) struct Remarks {
+pub(super) struct Remarks {
     ignored: Vec<Ignored>,
     others: Vec<Remark>,
 }
@@ -35,7 +35,7 @@ impl Remarks {
     }
 
     /// Adds things that are ignored, with the name of one and of many, and what the file calls them.
-    pub(crate) fn ignore_named(&mut self, count: usize, kind: [&'static str; 2], name: &[u8]) {
+    pub(super) fn ignore_named(&mut self, count: usize, kind: [&'static str; 2], name: &[u8]) {
         if count == 0 {
             return;
         }
@@ -61,7 +61,7 @@ impl Remarks {
         self.others.push(remark);
     }
 
-    pub(crate) fn into_list(self) -> Vec<Remark> {
+    pub(super) fn into_list(self) -> Vec<Remark> {
         let remark = |Ignored { kind, name, count }| {
             let shown = match &name[..] {
                 b"" => String::new(),

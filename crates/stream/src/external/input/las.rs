@@ -19,9 +19,8 @@ pub(super) struct Cloud {
 impl Cloud {
     pub(super) fn new(file: InputFile, choice: &Choice) -> Result<Cloud, ReadError> {
         let read = BufReader::new(file.handle()?);
-        let points = Points::open(read, file.length, &choice.classes);
         Ok(Cloud {
-            points: points.map_err(|why| file.error(why))?,
+            points: Points::open(&file.name, read, file.length, &choice.classes)?,
             file,
             places: Vec::new(),
             heights: choice.heights.then(Vec::new),
@@ -36,8 +35,7 @@ impl Input for Cloud {
 
     fn next_points(&mut self, points: &mut Vec<[f64; 2]>) -> Result<(), ReadError> {
         self.places.clear();
-        let come = self.points.next_points(&mut self.places);
-        let come = come.map_err(|why| self.file.error(why))?;
+        let come = self.points.next_points(&mut self.places)?;
         points.extend(self.places.iter().map(|&[x, y, _]| [x, y]));
         if let Some(heights) = &mut self.heights {
             heights.clear();
