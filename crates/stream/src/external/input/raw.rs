@@ -19,7 +19,7 @@ struct Pairs {
 
 impl Pairs {
     fn new(file: InputFile, what: &str) -> Result<Pairs, ReadError> {
-        if file.length % PAIR as u64 != 0 {
+        if !file.length.is_multiple_of(PAIR as u64) {
             let length = file.length;
             let message = format!(
                 "the file has {length} bytes, and {what} takes {PAIR}: it is cut off, or holds something else"
