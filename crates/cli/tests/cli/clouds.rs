@@ -181,7 +181,7 @@ fn what_is_no_cloud_has_no_classes() {
     assert!(!names(folder.path()).contains(&"b.json".to_owned()));
 }
 
-/// The numbers of the EPSG in records of a cloud: keys of GeoTIFF, and the text of a compound system.
+/// The numbers of the EPSG in records of a cloud: keys of `GeoTIFF`, and the text of a compound system.
 #[test]
 fn systems_of_clouds_go_along() {
     let folder = clouds();

@@ -108,7 +108,7 @@ fn a_property_that_is_a_height_is_no_loss() {
     let Ok(Input::Doubles(file)) = read(Format::Geojson, &source, None) else {
         panic!("the file is right");
     };
-    assert_eq!(file.heights().expect("heights").values[0], 12.0);
+    assert_eq!(file.heights().expect("heights").values[..1], [12.0]);
     let lost = not_written(Format::Ply, &file, None)
         .expect("names")
         .to_string();
