@@ -106,14 +106,16 @@ fn columns_go_to_the_outputs_that_have_room() {
         let bytes = |name: &str| fs::read(folder.path().join(name)).expect("a file");
         assert!(bytes("s.ply") == bytes("again.ply"), "{input}");
         fs::remove_file(folder.path().join("m.node")).expect("a file");
-        fs::write(folder.path().join("s.node"), "0 2 0 0\n").expect("a file");
-        let refused = ran(&folder, &format!("stream {input} -o s.ele"));
-        let said = text(&refused.stderr);
-        assert!(
-            said.contains("s.node would be overwritten, since the .ele"),
-            "{said}"
-        );
-        assert_eq!(refused.status.code(), Some(2));
+        for other in ["0 2 0 0\n".to_owned(), read("s.node") + "# more\n"] {
+            fs::write(folder.path().join("s.node"), other).expect("a file");
+            let refused = ran(&folder, &format!("stream {input} -o s.ele"));
+            let said = text(&refused.stderr);
+            assert!(
+                said.contains("s.node would be overwritten, since the .ele"),
+                "{said}"
+            );
+            assert_eq!(refused.status.code(), Some(2));
+        }
         fs::remove_file(folder.path().join("s.node")).expect("a file");
     }
     // The vertices that were read need no copy.
