@@ -3,6 +3,7 @@
 mod bands;
 mod beside;
 mod join;
+mod node;
 mod numbers;
 mod order;
 mod output;
@@ -17,6 +18,7 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use sweep_cdt::Triangulator;
+use sweep_cdt_engine::Remark;
 use sweep_cdt_stream::external::{Choice, Statistics, Summary, SweepOrder};
 use sweep_cdt_stream::{Final, Stream, StreamError, StreamStats, StreamVerifier, StreamViolation};
 
@@ -26,10 +28,11 @@ use crate::shared::outputs::{Destination, refuse_read, refuse_twice};
 use crate::shared::resources::Progress;
 use crate::shared::terrain::no_heights;
 pub(crate) use join::Join;
+use node::Node;
 pub(crate) use order::SortArgs;
 use order::is_one_place;
 use output::{Format, Triangles};
-use terrain::{Passing, Terrain, TerrainOutputs};
+use terrain::{Passing, RasterFormat, Terrain, TerrainOutputs};
 pub(crate) use verify::verify_stream;
 use writing::Targets;
 
@@ -49,7 +52,8 @@ const STEP: u64 = 1 << 16;
 #[derive(clap::Args)]
 #[command(after_long_help = AFTER_HELP)]
 pub(crate) struct StreamCommand {
-    /// Points and edges: .f64 (doubles, x and y of each point), .ply, .node, .poly, .csv, .xyz or .txt
+    /// Points and edges: .f64 (doubles, x and y of each point), .ply, .node, .poly, .csv, .xyz or .txt; `-` for standard
+    /// input, which is copied to a temporary file
     #[arg(value_name = "INPUT")]
     input: FileArgument,
 
@@ -90,7 +94,7 @@ pub(crate) struct StreamCommand {
     #[arg(long = "class", value_name = "CLASS", value_delimiter = ',')]
     classes: Vec<u8>,
 
-    /// Refuse inputs that say more than points and edges: heights, for example
+    /// Refuse inputs that say more than is read, and outputs that have no room for all that is
     #[arg(long)]
     strict: bool,
 
@@ -113,15 +117,18 @@ Output:
   .u32, .u64
            three numbers for each triangle, little-endian, of 32 or 64 bits: the positions of its
            corners among the points of the input, from 0. NumPy reads them by fromfile
-  .ele     Triangle's elements, with the numbers that a .node or .poly gives its vertices
-  .ply     binary: the points in the order of the input, and the triangles. Their z is the height, NaN
-           where it is missing, or 0 where the input has no heights
+  .ele     Triangle's elements, with the numbers of the input. A .node beside it gets the points with
+           their heights and other columns, unless it was read, or --vertices is given. One that is
+           there must have the same contents
+  .ply     binary: the points in the order of the input with all columns, and the triangles. Their z is
+           the height, NaN where it is missing, or 0 where the input has no heights
   .geojson, .wkt
            contour lines (--contours), those of `sweep-cdt contours`, in the order in which they are
            complete
   .asc     a grid of heights (--raster), those of `sweep-cdt heights` at the centres of its cells;
            NODATA_value outside
-  .tif     the same as GeoTIFF of doubles, in a build with the feature `geotiff`; NaN outside
+  .tif     the same as GeoTIFF of doubles, in a build with the feature `geotiff`; NaN outside. It has
+           the coordinate system of a .las or .laz that names one by a number of the EPSG
   Where more stays alive than --memory holds, the triangles up to there are written to a file whose
   name ends in .incomplete. A run that fails otherwise writes no file.
 Memory:
@@ -213,23 +220,35 @@ impl StreamCommand {
         let part = destination.as_ref().map(Destination::part).transpose()?;
         let part = part.flatten();
         let read = self.sort.files(&self.input, self.strict);
+        let node = match (format, &destination) {
+            (Some(Format::Ele), Some(ele)) if vertices.is_none() => Node::beside(ele, &read)?,
+            _ => None,
+        };
+        let has_columns = format == Some(Format::Ply) || node.is_some();
         let all = || {
             destination
                 .iter()
                 .chain(&part)
                 .chain(&vertices)
                 .chain(terrain.all())
+                .chain(node.iter().filter_map(Node::written))
         };
         refuse_read(&read, all())?;
         refuse_twice(all())?;
         let name = self.input.input_name();
         let sorted = self
             .sort
-            .sorted(&self.input, self.choice(format), |remarks| {
+            .sorted(&self.input, self.choice(has_columns), |remarks| {
                 read.say(&name, remarks)
             })?;
         if self.terrain.is_asked() && !sorted.has_heights {
             return Err(no_heights(&name));
+        }
+        if let (Some(system), Some((raster, RasterFormat::Asc))) = (&sorted.system, &terrain.raster)
+        {
+            let what = vec![format!("the coordinate system {}", system.name())];
+            let raster = raster.name.display().to_string();
+            read.say(&raster, &[Remark::NotWritten { what }])?;
         }
         let summary = sorted.order.summary();
         if let Some(format) = format {
@@ -243,6 +262,7 @@ impl StreamCommand {
         let targets = Targets {
             triangles: destination.zip(format),
             vertices,
+            node,
             terrain,
         };
         let outcome = self.written(sorted, targets, &read)?;
@@ -253,11 +273,12 @@ impl StreamCommand {
     }
 
     /// The parts of the input that are read.
-    fn choice(&self, format: Option<Format>) -> Choice {
+    fn choice(&self, has_columns: bool) -> Choice {
         Choice {
             columns: self.columns.clone(),
             classes: self.classes.clone(),
-            heights: self.terrain.is_asked() || format == Some(Format::Ply),
+            heights: self.terrain.is_asked() || has_columns,
+            others: has_columns,
         }
     }
 

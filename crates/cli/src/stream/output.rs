@@ -4,10 +4,11 @@
 use std::io::{self, Write};
 use std::path::Path;
 
-use sweep_cdt_stream::external::{Input, Summary};
+use sweep_cdt_formats::{Column, one_word};
 
 use super::beside::Beside;
 use super::numbers::Width;
+use super::order::Sorted;
 use super::{Trouble, to_usize};
 use crate::shared::failure::Failure;
 use crate::shared::files::FileArgument;
@@ -73,7 +74,7 @@ impl Format {
     }
 
     /// The beginning of a file with so many triangles: for all counts as long.
-    pub(super) fn beginning(self, points: u64, triangles: u64) -> String {
+    pub(super) fn beginning(self, points: u64, columns: &[String], triangles: u64) -> String {
         // No count has more digits.
         const DIGITS: usize = 20;
         match self {
@@ -82,9 +83,13 @@ impl Format {
             Format::Ply => {
                 let count = triangles.to_string();
                 let rest = DIGITS - count.len();
+                let columns = columns
+                    .iter()
+                    .map(|name| format!("property double {}\n", one_word(name)));
+                let columns: String = columns.collect();
                 format!(
                     "ply\nformat binary_little_endian 1.0\ncomment triangulated by sweep-cdt{:rest$}\nelement vertex {points}\n\
-                     property double x\nproperty double y\nproperty double z\nelement face {count}\n\
+                     property double x\nproperty double y\nproperty double z\n{columns}element face {count}\n\
                      property list uchar uint vertex_indices\nend_header\n",
                     ""
                 )
@@ -93,28 +98,32 @@ impl Format {
     }
 }
 
-/// Writes what stands before the triangles; `input` has the points.
-pub(super) fn begin(
-    out: &mut Out<'_>,
-    format: Format,
-    summary: &Summary,
-    input: impl FnOnce() -> Result<Box<dyn Input>, Trouble>,
-) -> Result<(), Trouble> {
-    let beginning = format.beginning(summary.points, 0);
+/// Writes what stands before the triangles.
+pub(super) fn begin(out: &mut Out<'_>, format: Format, sorted: &Sorted) -> Result<(), Trouble> {
+    let points = sorted.order.summary().points;
+    let beginning = format.beginning(points, &sorted.columns, 0);
     out.write_all(beginning.as_bytes()).map_err(Trouble::Out)?;
     match format {
-        Format::Ply => write_points(out, &mut *input()?, summary.points),
+        Format::Ply => each_point(sorted, |_, [x, y], height, columns| {
+            let place = [x, y, height.unwrap_or(0.0)];
+            let mut numbers = place.iter().chain(columns);
+            numbers.try_for_each(|number| out.write_all(&number.to_le_bytes()))
+        }),
         Format::Numbers(_) | Format::Ele => Ok(()),
     }
 }
 
-/// Writes all points as the input has them.
-fn write_points(out: &mut Out<'_>, input: &mut dyn Input, points: u64) -> Result<(), Trouble> {
+/// Reads all points once more, as the input has them: `write` gets the number, the place and the other columns of each, and
+/// its height, NaN where that is missing, if the input has heights.
+pub(super) fn each_point(
+    sorted: &Sorted,
+    mut write: impl FnMut(u64, [f64; 2], Option<f64>, &[f64]) -> io::Result<()>,
+) -> Result<(), Trouble> {
+    let points = sorted.order.summary().points;
+    let mut input = sorted.points().map_err(Trouble::Order)?;
     let mut progress = Progress::new("writing points");
-    // A height that is left out is none, and not 0.
-    let z = if input.has_heights() { f64::NAN } else { 0.0 };
-    let mut some = Vec::new();
-    let mut done = 0;
+    let (mut some, mut done) = (Vec::new(), 0);
+    let mut row = Vec::new();
     loop {
         some.clear();
         input
@@ -124,12 +133,21 @@ fn write_points(out: &mut Out<'_>, input: &mut dyn Input, points: u64) -> Result
             break;
         }
         let heights = input.heights().unwrap_or_default();
-        for (at, &[x, y]) in some.iter().enumerate() {
-            let z = heights.get(at).copied().unwrap_or(z);
-            let bytes = [x, y, z].map(f64::to_le_bytes);
-            out.write_all(bytes.as_flattened()).map_err(Trouble::Out)?;
+        // The names are known since the points were sorted; a piece may lack some.
+        let columns: Vec<Option<&Column>> = (sorted.columns.iter())
+            .map(|name| input.columns().iter().find(|column| column.name == *name))
+            .collect();
+        for (at, &place) in some.iter().enumerate() {
+            let height = heights.get(at).copied();
+            let height = height.or(input.has_heights().then_some(f64::NAN));
+            row.clear();
+            row.extend(columns.iter().map(|column| {
+                let value = column.and_then(|column| column.values.get(at));
+                value.copied().unwrap_or(f64::NAN)
+            }));
+            write(done, place, height, &row).map_err(Trouble::Out)?;
+            done += 1;
         }
-        done += some.len() as u64;
         progress.show(to_usize(done), to_usize(points));
     }
     if done == points {

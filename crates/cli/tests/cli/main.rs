@@ -4,6 +4,8 @@ mod advice;
 mod bands;
 mod bent;
 mod bounds;
+#[cfg(feature = "las")]
+mod clouds;
 mod crossings;
 mod depths;
 mod documents;

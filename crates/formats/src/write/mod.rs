@@ -29,6 +29,7 @@ pub use json::json_coordinate;
 pub use labels::edges_along;
 pub use lines::{LineWriter, write_lines};
 pub use losses::not_written;
+pub use mesh_formats::one_word;
 #[cfg(feature = "geotiff")]
 pub use raster::write_geotiff;
 pub use raster::{RasterHead, write_asc};
@@ -169,7 +170,7 @@ fn unsupported(format: Format, what: &str) -> io::Error {
     io::Error::new(io::ErrorKind::Unsupported, format.lacks(what))
 }
 
-/// Writes a graph that is not triangulated, in one of [`Format::INPUTS`]. [`read()`](crate::read()) makes the same one of
+/// Writes a graph that is not triangulated, in one of [`Format::GRAPHS`]. [`read()`](crate::read()) makes the same one of
 /// it, but for fractions, which only `.node`, `.poly`, `.json` and points as text hold: the others have the nearest
 /// doubles. A `.node` and points as text hold vertices alone, and a `.poly` without vertices is read as one whose vertices
 /// are in the `.node` beside it.
