@@ -110,7 +110,7 @@ def domains(command, title, path, result, folder):
     for rule in ("even-odd", "nonzero"):
         text = certify.certificate(result, rule)
         said = []
-        triangles = [line.split(" ") for line in text.splitlines() if line.count(" ") == 4]
+        triangles = [line.split(" ") for line in text.splitlines() if line.startswith("t ")]
         first = " ".join(triangles[0])
         *rest, value = triangles[0]
         wrong = text.replace(first + "\n", " ".join([*rest, str(1 + int(value))]) + "\n")
@@ -126,7 +126,7 @@ def domains(command, title, path, result, folder):
         output.unlink(missing_ok=True)
         subprocess.run([command, "triangulate", path, "--inside", rule, "-o", output], capture_output=True, check=False)
         expected = (0, 0) if output.exists() else (1, 1)  # edges that are no closed rings have no interior
-        inside = sorted(sorted(map(int, t[:3])) for t in triangles if int(t[4]) != 0)
+        inside = sorted(sorted(map(int, t[1:4])) for t in triangles if int(t[5]) != 0)
         if said != [expected, (1, 1)]:
             sys.exit(f"{title}, {rule}: {said}")
         if output.exists():
@@ -145,11 +145,8 @@ def certified(command, title, path, result, folder):
         check.judge(*check.read(lines), False)
     if program:
         sys.exit(f"{title}: the command's own certificate is refused")
-    lines = cert.read_text().splitlines()
-    unit = Fraction(2) ** int(lines[1].split(" ")[1])
-    edges = 4 + len(result["points"])
-    points = [[int(x, 0) * unit for x in line.split(" ")] for line in lines[4:edges]]
-    ends = [[int(line.split(" ")[i]) for i in (0, -1)] for line in lines[edges + 1 :][: len(result["edges"])]]
+    _, points, edges = polygons.declarations(cert.read_text())
+    ends = [[int(edge[i]) for i in (0, -1)] for edge in edges]
     if points != [[Fraction(float(x)) for x in point[:2]] for point in result["points"]] or ends != result["edges"]:
         sys.exit(f"{title}: the command's own certificate has other points or edges")
 
