@@ -340,8 +340,8 @@ Definition judge_of (d : zdomain) : option table :=
   | _ => None
   end.
 
-(* What is known when some records have been read. Points that are given and brought, and pieces of edges that are given
-   and used, wait for each other until they are forgotten together. *)
+(* The checker after some records. Points that are given and brought, and pieces of edges that are given and used, wait for
+   each other until they are forgotten together. *)
 Record course := Course
   { laying : state; low : option (zside * zside); given : list zpoint; split : list zside;
     fallen : list zrise; open : list zrise; seen_line : line; is_empty : bool }.

@@ -1,6 +1,6 @@
 (* What the checker knows after each record.
 
-   It forgets points that are given and brought, and pieces of edges that are given and used. With each state of its own
+   The checker forgets points that are given and brought, and pieces of edges that are given and used. With each state of its own
    goes one that forgets nothing, in which the same triangles are laid. *)
 Require Import ZArith List Lia Bool Permutation.
 Require Import Sort Rings Check Place Laid.

@@ -31,7 +31,7 @@ Section Main.
 Variable u : R.
 Hypothesis u_positive : 0 < u.
 
-(* What is known of the points that were seen. *)
+(* How the points that were seen lie. *)
 Definition line_right (l : line) (ps : list zpoint) : Prop :=
   match l with
   | NoPoint => ps = []

@@ -78,7 +78,7 @@ Definition all_ascending (l : list A) : bool := match l with [] => true | x :: r
 Definition same_set_once (l m : list A) : bool :=
   let o := sort m in all_ascending o && equal (distinct (sort l) []) (rev_append o []).
 
-(* What is in one of two lists alone: what both have is taken off both. Lists come and go from the last item to the first. *)
+(* Takes off two lists what both have. Lists come from the last item to the first. *)
 Fixpoint apart (l m left right : list A) : list A * list A :=
   match l with
   | [] => (left, rev_append m right)

@@ -111,8 +111,8 @@ def judged(program, text, cert):
         return [proved, 1]
 
 
-def compare(command, program, rng, folder, count):
-    """How many interiors were accepted and how many refused by all three."""
+def compare(command, program, rng, folder, count, streamed):
+    """How many interiors were accepted and how many refused by all three. `streamed` judges streams of the same edges."""
     rights = wrongs = 0
     shapes, cert, answer = folder / "x.wkt", folder / "x.cert", folder / "y.json"
     hull, own = folder / "hull.json", folder / "own.cert"
@@ -123,6 +123,7 @@ def compare(command, program, rng, folder, count):
             call = [command, "triangulate", shapes, "--inside", rule, "-o", output]
             subprocess.run(call, check=True, capture_output=True)
         result = json.loads(hull.read_text())
+        streamed(command, f"polygons {number}", result, folder, rng.randint(1, 20))
 
         sides = [list(zip(ring, ring[1:] + ring[:1])) for rings in polygons for ring in rings]
         rings = [n for n, ring in enumerate(sides) for _ in ring] + [None] * len(lines)

@@ -131,9 +131,9 @@ Memory:
   --memory is for sorting, and then a half for merging and a half for vertices: those that are
   alive and those of a window. A vertex alive takes 800 bytes of it, and two windows are allowed
   whatever it is. The program itself takes up to 48 MiB more. No option bounds the edges of a vertex
-  or window, those open at the sweep line, and what --check keeps of sides that wait. With contour
-  lines or a grid a vertex alive takes 2,240 bytes, and lines that are longer than a sixteenth of
-  --memory are written in parts.
+  or window, those open at the sweep line, and what --check and a .cert keep of sides that wait.
+  With contour lines or a grid a vertex alive takes 2,240 bytes, and lines that are longer than a
+  sixteenth of --memory are written in parts.
 
 Exit status:
   0  done   1  wrong input, or too much alive   2  wrong usage
@@ -272,7 +272,8 @@ impl StreamCommand {
         mut vertices: Option<&mut dyn Write>,
         terrain: Option<&Passing<'_>>,
     ) -> Result<StreamStats, Trouble> {
-        let is_renumbered = vertices.is_some() || triangles.as_ref().is_some_and(|out| out.is_certificate());
+        let is_renumbered =
+            vertices.is_some() || triangles.as_ref().is_some_and(|out| out.is_certificate());
         // The stream then numbers distinct vertices as they come.
         let is_counted = is_renumbered || terrain.is_some();
         let Summary { points, x, .. } = order.summary();

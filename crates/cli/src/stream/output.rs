@@ -209,7 +209,13 @@ impl<'s, 'a, 'w> Triangles<'s, 'a, 'w> {
                 certificate.hull_side(ends);
                 Ok(())
             }
-            (Some(certificate), Final::Triangle { corners, constrained }) => {
+            (
+                Some(certificate),
+                Final::Triangle {
+                    corners,
+                    constrained,
+                },
+            ) => {
                 certificate.triangle(corners, constrained);
                 self.written += 1;
                 Ok(())

@@ -185,7 +185,7 @@ fn certificates_are_of_correct_results_alone() {
         fs::read_to_string(at("b.cert")).expect("a certificate"),
         certificate
     );
-    let expected = "sweep-cdt-certificate 2\nexponent 0\n";
+    let expected = "sweep-cdt-certificate 3\nexponent 0\n";
     assert!(certificate.starts_with(expected), "{certificate}");
 
     refuted(&verify(&folder, "a.poly b.json --write-certificate c.cert"));

@@ -8,8 +8,9 @@
 //! Cost: all open edges are looked at each time that triangles were laid.
 
 use std::cmp::Ordering;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 
+use foldhash::HashMap;
 use sweep_cdt::scalar::orient2d;
 
 use super::certificate_stream::Place;
@@ -141,11 +142,17 @@ impl Edges {
             let Some(&last) = edge.chain.last() else {
                 return;
             };
-            if places.get(&last).is_some_and(|place| place.point == edge.upper) {
+            if places
+                .get(&last)
+                .is_some_and(|place| place.point == edge.upper)
+            {
                 edge.is_whole = true;
                 return;
             }
-            let above = self.beside.get(&last).map_or(&[][..], |beside| &beside[ABOVE]);
+            let above = self
+                .beside
+                .get(&last)
+                .map_or(&[][..], |beside| &beside[ABOVE]);
             let Ok(at) = towards(above, last, Some(edge.upper), places) else {
                 self.open.push(number);
                 return;
@@ -153,8 +160,14 @@ impl Edges {
             let next = above[at];
             edge.chain.push(next);
             let group = edge.group;
-            let first = self.sides.get_mut(&[last, next]).map(|side| *side.get_or_insert(number));
-            if let Some(other) = first.and_then(|first| self.edges.get(&first)).map(|edge| edge.group) {
+            let first = self
+                .sides
+                .get_mut(&[last, next])
+                .map(|side| *side.get_or_insert(number));
+            if let Some(other) = first
+                .and_then(|first| self.edges.get(&first))
+                .map(|edge| edge.group)
+            {
                 self.unite(group, other);
             }
         }
@@ -193,7 +206,10 @@ impl Edges {
             return false;
         };
         // Below on the same line, that is, where the upper end is seen in the opposite direction.
-        let below = self.beside.get(&vertex).map_or(&[][..], |beside| &beside[BELOW]);
+        let below = self
+            .beside
+            .get(&vertex)
+            .map_or(&[][..], |beside| &beside[BELOW]);
         let is_on_line = below.binary_search_by(|next| match places.get(next) {
             Some(next) => orient2d(&place.point, &next.point, &lowest.upper),
             None => Ordering::Less,

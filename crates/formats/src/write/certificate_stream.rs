@@ -7,8 +7,9 @@
 //! Cost: some twenty look-ups a triangle.
 
 use std::cmp::Ordering;
-use std::collections::{HashMap, HashSet};
 use std::io::{self, Write};
+
+use foldhash::{HashMap, HashSet};
 
 use super::certificate::wrong;
 use super::certificate_edges::Edges;
@@ -40,7 +41,7 @@ use super::certificate_numbers::{push_integer, push_line};
 #[derive(Debug)]
 pub struct StreamCertificate {
     exponent: i64,
-    /// What is to be written.
+    /// The text on its way out.
     text: Vec<u8>,
     /// How many vertices have come.
     vertices: u64,
@@ -107,18 +108,19 @@ impl StreamCertificate {
     pub fn new(exponent: i64) -> Self {
         StreamCertificate {
             exponent,
-            text: format!("sweep-cdt-certificate 3\nexponent {exponent}\ndomain hull\n").into_bytes(),
+            text: format!("sweep-cdt-certificate 3\nexponent {exponent}\ndomain hull\n")
+                .into_bytes(),
             vertices: 0,
-            places: HashMap::new(),
-            waiting: HashMap::new(),
+            places: HashMap::default(),
+            waiting: HashMap::default(),
             triangles: 0,
-            above: HashMap::new(),
-            front: HashMap::new(),
+            above: HashMap::default(),
+            front: HashMap::default(),
             ready: Vec::new(),
             lower: None,
-            rightward: HashMap::new(),
-            leftward: HashMap::new(),
-            upper: HashSet::new(),
+            rightward: HashMap::default(),
+            leftward: HashMap::default(),
+            upper: HashSet::default(),
             edges: Edges::default(),
             is_new: false,
             laid: 0,
@@ -176,7 +178,11 @@ impl StreamCertificate {
     pub fn triangle(&mut self, corners: [u64; 3], constrained: [bool; 3]) {
         self.is_new = true;
         let [p, q, r] = [0, 1, 2].map(|i| corners[i]);
-        let first = match (self.is_before(p, q), self.is_before(q, r), self.is_before(p, r)) {
+        let first = match (
+            self.is_before(p, q),
+            self.is_before(q, r),
+            self.is_before(p, r),
+        ) {
             (true, _, true) => 0,
             (false, true, _) => 1,
             _ => 2,
@@ -225,9 +231,12 @@ impl StreamCertificate {
         // Walks to and fro are short if the leftmost comes first, and then what lies on it.
         let point = |number: &u64| {
             let corner = self.waiting.get(number).map(|waiting| waiting.corners[0]);
-            corner.and_then(|corner| self.places.get(&corner)).map(|place| place.point)
+            corner
+                .and_then(|corner| self.places.get(&corner))
+                .map(|place| place.point)
         };
-        self.ready.sort_by(|s, t| point(t).partial_cmp(&point(s)).unwrap_or(Ordering::Equal));
+        self.ready
+            .sort_by(|s, t| point(t).partial_cmp(&point(s)).unwrap_or(Ordering::Equal));
         while let Some(number) = self.ready.pop() {
             if let Some(triangle) = self.waiting.remove(&number) {
                 self.lay_triangle(&triangle);
@@ -250,7 +259,9 @@ impl StreamCertificate {
 
     fn lay_triangle(&mut self, triangle: &Waiting) {
         let [a, b, c] = triangle.corners;
-        let marks = (0..).zip(triangle.constrained).map(|(bit, is)| u64::from(is) << bit);
+        let marks = (0..)
+            .zip(triangle.constrained)
+            .map(|(bit, is)| u64::from(is) << bit);
         push_line(b't', &[a, b, c, marks.sum()], &mut self.text);
         self.laid += 1;
         let [lower, upper] = self.sides(triangle);
