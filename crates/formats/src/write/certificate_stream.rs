@@ -1,5 +1,7 @@
 //! Certificates of streams: written as triangles become final, in the memory of what is alive.
 //!
+//! A point is written before the first line that names it, so that the checker holds no more than what is laid.
+//!
 //! Triangles are *laid* as `certificate.rs` says, each after its neighbours across its lower sides; until these have come,
 //! it waits. The lower hull grows to both ends, as sides of the hull become final. Where all around a vertex is laid, its
 //! number is forgotten, unless an edge whose line is still to be written needs it (`certificate_edges.rs`).
@@ -18,7 +20,7 @@ use super::certificate_numbers::{push_integer, push_line};
 /// A certificate that is written from final parts of a triangulation, in the order of a sweep.
 ///
 /// Vertices are numbered from 0 as they come, by y and then by x, each place once. An edge comes with its lower end. Sides
-/// of the hull and triangles come when they are final, in any order, each once.
+/// of the hull and triangles come when they are final, in any order, each once. The file numbers vertices as it names them.
 ///
 /// ```
 /// use sweep_cdt_formats::StreamCertificate;
@@ -34,8 +36,8 @@ use super::certificate_numbers::{push_integer, push_line};
 /// certificate.triangle([0, 1, 2], [false; 3]);
 /// certificate.finish(&mut text)?;
 /// let text = String::from_utf8(text)?;
-/// assert!(text.starts_with("sweep-cdt-certificate 3\nexponent -1\ndomain hull\np 0 0\np 1 0\np 0 4\n"));
-/// assert!(text.ends_with("l 0 1\nt 0 1 2 0\nend\n"));
+/// assert!(text.starts_with("sweep-cdt-certificate 3\nexponent -1\ndomain hull\np 0 0\np 1 0\nl 0 1\n"));
+/// assert!(text.ends_with("p 0 4\nt 0 1 2 0\nend\n"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug)]
@@ -43,8 +45,10 @@ pub struct StreamCertificate {
     exponent: i64,
     /// The text on its way out.
     text: Vec<u8>,
-    /// How many vertices have come.
+    /// How many vertices have come, how many are written, and how many of these are forgotten.
     vertices: u64,
+    named: u64,
+    forgotten: u64,
     /// The vertices that may still be named.
     places: HashMap<u64, Place>,
     /// Triangles that are not laid, and how many have come.
@@ -67,7 +71,7 @@ pub struct StreamCertificate {
     /// Whether something has come since triangles were laid.
     is_new: bool,
     /// How many triangles were laid since numbers were forgotten.
-    laid: usize,
+    laid: u64,
     /// Numbers that nothing names any more.
     gone: Vec<u64>,
 }
@@ -81,6 +85,8 @@ pub(super) struct Place {
     pub(super) point: [f64; 2],
     /// A sum of hashes, see [`StreamCertificate::turn`].
     star: u64,
+    /// The number in the file, if the vertex is written.
+    name: Option<u64>,
 }
 
 impl Place {
@@ -111,6 +117,8 @@ impl StreamCertificate {
             text: format!("sweep-cdt-certificate 3\nexponent {exponent}\ndomain hull\n")
                 .into_bytes(),
             vertices: 0,
+            named: 0,
+            forgotten: 0,
             places: HashMap::default(),
             waiting: HashMap::default(),
             triangles: 0,
@@ -134,15 +142,15 @@ impl StreamCertificate {
     /// Errors of `out`.
     pub fn vertex(&mut self, point: [f64; 2], out: &mut impl Write) -> io::Result<()> {
         if self.is_new {
-            self.lay();
+            self.lay()?;
             self.forget_all();
         }
-        self.text.extend_from_slice(b"p ");
-        push_integer(&point[0], self.exponent, &mut self.text)?;
-        self.text.push(b' ');
-        push_integer(&point[1], self.exponent, &mut self.text)?;
-        self.text.push(b'\n');
-        self.places.insert(self.vertices, Place { point, star: 0 });
+        let place = Place {
+            point,
+            star: 0,
+            name: None,
+        };
+        self.places.insert(self.vertices, place);
         self.vertices += 1;
         if self.text.len() >= Self::ROOM {
             out.write_all(&self.text)?;
@@ -212,23 +220,53 @@ impl StreamCertificate {
     /// # Errors
     /// Errors of `out`; [`io::ErrorKind::InvalidInput`] where the triangles do not tile the hull, or lack an edge.
     pub fn finish(mut self, out: &mut impl Write) -> io::Result<()> {
-        self.lay();
+        self.lay()?;
+        let unnamed = self.places.iter().filter(|(_, place)| place.name.is_none());
+        let mut unnamed: Vec<u64> = unnamed.map(|(&vertex, _)| vertex).collect();
+        unnamed.sort_unstable();
+        for vertex in unnamed {
+            self.name(vertex)?;
+        }
         let chains = match self.triangles {
             0 => self.edges.without_triangles(&self.places),
             _ => self.edges.rest(&self.places),
         };
         let chains = chains.filter(|_| self.waiting.is_empty());
         for chain in chains.ok_or_else(wrong)? {
-            push_line(b'e', &chain, &mut self.text);
+            self.edge_line(&chain)?;
         }
         self.text.extend_from_slice(b"end\n");
         out.write_all(&self.text)
     }
 
+    /// The number of a vertex in the file, which is written before.
+    fn name(&mut self, vertex: u64) -> io::Result<u64> {
+        let place = self.places.get_mut(&vertex).ok_or_else(wrong)?;
+        if let Some(name) = place.name {
+            return Ok(name);
+        }
+        let name = self.named;
+        self.named += 1;
+        place.name = Some(name);
+        self.text.extend_from_slice(b"p ");
+        push_integer(&place.point[0], self.exponent, &mut self.text)?;
+        self.text.push(b' ');
+        push_integer(&place.point[1], self.exponent, &mut self.text)?;
+        self.text.push(b'\n');
+        Ok(name)
+    }
+
+    fn edge_line(&mut self, chain: &[u64]) -> io::Result<()> {
+        let names = chain.iter().map(|&vertex| self.name(vertex));
+        let names = names.collect::<io::Result<Vec<u64>>>()?;
+        push_line(b'e', &names, &mut self.text);
+        Ok(())
+    }
+
     /// Lays all triangles that can be, from left to right, and writes the edges that are whole.
-    fn lay(&mut self) {
+    fn lay(&mut self) -> io::Result<()> {
         self.is_new = false;
-        self.lengthen();
+        self.lengthen()?;
         // Walks to and fro are short if the leftmost comes first, and then what lies on it.
         let point = |number: &u64| {
             let corner = self.waiting.get(number).map(|waiting| waiting.corners[0]);
@@ -240,33 +278,40 @@ impl StreamCertificate {
             .sort_by(|s, t| point(t).partial_cmp(&point(s)).unwrap_or(Ordering::Equal));
         while let Some(number) = self.ready.pop() {
             if let Some(triangle) = self.waiting.remove(&number) {
-                self.lay_triangle(&triangle);
+                self.lay_triangle(&triangle)?;
             }
         }
         let (chains, free) = self.edges.whole(&self.places);
         for chain in chains {
-            push_line(b'e', &chain, &mut self.text);
+            self.edge_line(&chain)?;
         }
         for vertex in free {
             self.forget(vertex);
         }
+        Ok(())
     }
 
     /// Has the checker forget, where sorting what it holds costs no more than what was laid.
     fn forget_all(&mut self) {
-        if self.laid >= self.places.len() {
+        if self.laid >= self.named - self.forgotten {
             push_line(b'f', &self.gone, &mut self.text);
+            self.forgotten += self.gone.len() as u64;
             self.gone.clear();
             self.laid = 0;
         }
     }
 
-    fn lay_triangle(&mut self, triangle: &Waiting) {
+    fn lay_triangle(&mut self, triangle: &Waiting) -> io::Result<()> {
         let [a, b, c] = triangle.corners;
+        let names = [self.name(a)?, self.name(b)?, self.name(c)?];
         let marks = (0..)
             .zip(triangle.constrained)
             .map(|(bit, is)| u64::from(is) << bit);
-        push_line(b't', &[a, b, c, marks.sum()], &mut self.text);
+        push_line(
+            b't',
+            &[names[0], names[1], names[2], marks.sum()],
+            &mut self.text,
+        );
         self.laid += 1;
         let [lower, upper] = self.sides(triangle);
         for (side, is_constrained) in lower.into_iter().flatten() {
@@ -286,6 +331,7 @@ impl StreamCertificate {
         self.turn(a, b, c);
         self.turn(b, c, a);
         self.turn(c, a, b);
+        Ok(())
     }
 
     /// A side comes to the front, and the triangle above it may be ready.
@@ -312,35 +358,38 @@ impl StreamCertificate {
     }
 
     /// The lower hull grows: first to the left, then to the right.
-    fn lengthen(&mut self) {
+    fn lengthen(&mut self) -> io::Result<()> {
         if self.lower.is_none()
             && let Some((&left, &right)) = self.rightward.iter().min()
         {
             self.rightward.remove(&left);
             self.leftward.remove(&right);
             self.lower = Some([left, right]);
-            self.lower_side([left, right]);
+            self.lower_side([left, right])?;
         }
         let Some([mut left, mut right]) = self.lower else {
-            return;
+            return Ok(());
         };
         while let Some(next) = self.leftward.remove(&left) {
             self.rightward.remove(&next);
-            self.lower_side([next, left]);
+            self.lower_side([next, left])?;
             left = next;
         }
         while let Some(next) = self.rightward.remove(&right) {
             self.leftward.remove(&next);
-            self.lower_side([right, next]);
+            self.lower_side([right, next])?;
             right = next;
         }
         self.lower = Some([left, right]);
+        Ok(())
     }
 
-    fn lower_side(&mut self, side: Side) {
-        push_line(b'l', &side, &mut self.text);
+    fn lower_side(&mut self, side: Side) -> io::Result<()> {
+        let names = [self.name(side[0])?, self.name(side[1])?];
+        push_line(b'l', &names, &mut self.text);
         self.open(side, false);
         self.border(side);
+        Ok(())
     }
 
     /// A triangle has the corners `vertex`, `from` and `to`, counterclockwise. What a vertex gets from its triangles and
@@ -366,8 +415,8 @@ impl StreamCertificate {
     fn forget(&mut self, vertex: u64) {
         let is_whole = self.places.get(&vertex).is_some_and(Place::is_whole);
         if is_whole && !self.edges.needs(vertex) {
-            self.places.remove(&vertex);
-            self.gone.push(vertex);
+            let place = self.places.remove(&vertex);
+            self.gone.extend(place.and_then(|place| place.name));
         }
     }
 
