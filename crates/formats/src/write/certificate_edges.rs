@@ -126,11 +126,13 @@ impl Edges {
 
     /// Both ends of each edge, where there is no triangle, so that all places are known.
     pub(super) fn without_triangles(&mut self, places: &Places) -> Option<Vec<Vec<u64>>> {
+        // -0.0 + 0.0 is 0.0, and all else stays as it is.
+        let bits = |point: [f64; 2]| point.map(|coordinate| (coordinate + 0.0).to_bits());
         let numbers = places.iter();
-        let numbers = numbers.map(|(&number, place)| (place.point.map(f64::to_bits), number));
+        let numbers = numbers.map(|(&number, place)| (bits(place.point), number));
         let numbers: HashMap<[u64; 2], u64> = numbers.collect();
         let both = |edge: &Edge| {
-            let upper = numbers.get(&edge.upper.map(f64::to_bits))?;
+            let upper = numbers.get(&bits(edge.upper))?;
             Some(vec![edge.chain[0], *upper])
         };
         self.edges.values().map(both).collect()
@@ -144,7 +146,7 @@ impl Edges {
             };
             if places
                 .get(&last)
-                .is_some_and(|place| place.point == edge.upper)
+                .is_some_and(|place| place.point.partial_cmp(&edge.upper) == Some(Ordering::Equal))
             {
                 edge.is_whole = true;
                 return;
@@ -229,9 +231,9 @@ impl Edges {
             let Some(edge) = self.edges.remove(&number) else {
                 continue;
             };
-            for ends in edge.chain.array_windows() {
-                if self.sides.remove(ends).is_some() {
-                    let [low, high] = *ends;
+            for ends in edge.chain.windows(2) {
+                let [low, high] = [ends[0], ends[1]];
+                if self.sides.remove(&[low, high]).is_some() {
                     self.part(high, BELOW, low, places, free);
                     self.part(low, ABOVE, high, places, free);
                 }

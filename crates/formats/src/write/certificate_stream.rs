@@ -143,7 +143,6 @@ impl StreamCertificate {
     pub fn vertex(&mut self, point: [f64; 2], out: &mut impl Write) -> io::Result<()> {
         if self.is_new {
             self.lay()?;
-            self.forget_all();
         }
         let place = Place {
             point,
@@ -279,6 +278,7 @@ impl StreamCertificate {
         while let Some(number) = self.ready.pop() {
             if let Some(triangle) = self.waiting.remove(&number) {
                 self.lay_triangle(&triangle)?;
+                self.forget_all();
             }
         }
         let (chains, free) = self.edges.whole(&self.places);
