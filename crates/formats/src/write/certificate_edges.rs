@@ -13,8 +13,6 @@ use std::collections::BTreeMap;
 use foldhash::HashMap;
 use sweep_cdt::scalar::orient2d;
 
-use super::certificate_stream::Place;
-
 /// Edges that are not written, by vertices, whose numbers are in the order of the sweep.
 #[derive(Debug, Default)]
 pub(super) struct Edges {
@@ -37,6 +35,23 @@ struct Edge {
     upper: [f64; 2],
     is_whole: bool,
     group: u64,
+}
+
+/// A vertex that may still be named.
+#[derive(Debug)]
+pub(super) struct Place {
+    pub(super) point: [f64; 2],
+    /// A sum of hashes, see `StreamCertificate::turn`.
+    pub(super) star: u64,
+    /// The number in the file, if the vertex is written.
+    pub(super) name: Option<u64>,
+}
+
+impl Place {
+    /// Whether all around is laid, if something is.
+    pub(super) fn is_whole(&self) -> bool {
+        self.star == 0
+    }
 }
 
 type Places = HashMap<u64, Place>;

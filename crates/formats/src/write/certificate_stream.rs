@@ -14,7 +14,7 @@ use std::io::{self, Write};
 use foldhash::{HashMap, HashSet};
 
 use super::certificate::wrong;
-use super::certificate_edges::Edges;
+use super::certificate_edges::{Edges, Place};
 use super::certificate_numbers::{push_integer, push_line};
 
 /// A certificate that is written from final parts of a triangulation, in the order of a sweep.
@@ -78,23 +78,6 @@ pub struct StreamCertificate {
 
 /// The left and the right end of a side.
 type Side = [u64; 2];
-
-/// A vertex that may still be named.
-#[derive(Debug)]
-pub(super) struct Place {
-    pub(super) point: [f64; 2],
-    /// A sum of hashes, see [`StreamCertificate::turn`].
-    star: u64,
-    /// The number in the file, if the vertex is written.
-    name: Option<u64>,
-}
-
-impl Place {
-    /// Whether all around is laid, if something is.
-    pub(super) fn is_whole(&self) -> bool {
-        self.star == 0
-    }
-}
 
 /// A triangle from its leftmost corner on, counterclockwise.
 #[derive(Debug)]
