@@ -64,9 +64,9 @@ pub use system::CoordinateSystem;
 #[cfg(feature = "geotiff")]
 pub use write::write_geotiff;
 pub use write::{
-    Cell, LineWriter, RasterHead, Ridges, edges_along, json_coordinate, not_written, one_word,
-    write, write_asc, write_cells, write_certificate, write_crossings, write_graph, write_interior,
-    write_lines, write_node, write_ridges, write_violations,
+    Cell, LineWriter, RasterHead, Ridges, StreamCertificate, edges_along, json_coordinate,
+    not_written, one_word, write, write_asc, write_cells, write_certificate, write_crossings,
+    write_graph, write_interior, write_lines, write_node, write_ridges, write_violations,
 };
 
 /// The example of the README, as a test.

@@ -60,7 +60,8 @@ pub(crate) struct StreamCommand {
     #[command(flatten)]
     sort: SortArgs,
 
-    /// File to write the triangles to, counter-clockwise: .u32 or .u64 (raw numbers), .ele or .ply; `-` for standard output
+    /// File to write the triangles to, counter-clockwise: .u32 or .u64 (raw numbers), .ele, .ply or .cert; `-` for standard
+    /// output
     #[arg(short, long = "output", value_name = "OUTPUT")]
     output: Option<FileArgument>,
 
@@ -122,6 +123,8 @@ Output:
            there must have the same contents
   .ply     binary: the points in the order of the input with all columns, and the triangles. Their z is
            the height, NaN where it is missing, or 0 where the input has no heights
+  .cert    a certificate for the proved checker, which reads it in as little memory. Equal points are
+           there once, and edges of no length are left out
   .geojson, .wkt
            contour lines (--contours), those of `sweep-cdt contours`, in the order in which they are
            complete
@@ -135,9 +138,9 @@ Memory:
   --memory is for sorting, and then a half for merging and a half for vertices: those that are
   alive and those of a window. A vertex alive takes 800 bytes of it, and two windows are allowed
   whatever it is. The program itself takes up to 48 MiB more. No option bounds the edges of a vertex
-  or window, those open at the sweep line, and what --check keeps of sides that wait. With contour
-  lines or a grid a vertex alive takes 2,240 bytes, and lines that are longer than a sixteenth of
-  --memory are written in parts.
+  or window, those open at the sweep line, and what --check and a .cert keep of sides that wait.
+  With contour lines or a grid a vertex alive takes 2,240 bytes, and lines that are longer than a
+  sixteenth of --memory are written in parts.
 
 Exit status:
   0  done   1  wrong input, or too much alive   2  wrong usage
@@ -286,11 +289,12 @@ impl StreamCommand {
     fn swept(
         &self,
         order: &mut SweepOrder,
-        mut triangles: Option<&mut Triangles<'_, '_, '_>>,
+        triangles: Option<&mut Triangles<'_, '_, '_>>,
         mut vertices: Option<&mut dyn Write>,
         terrain: Option<&Passing<'_>>,
     ) -> Result<StreamStats, Trouble> {
-        let is_renumbered = vertices.is_some();
+        let is_renumbered =
+            vertices.is_some() || triangles.as_ref().is_some_and(|out| out.is_certificate());
         // The stream then numbers distinct vertices as they come.
         let is_counted = is_renumbered || terrain.is_some();
         let Summary { points, x, .. } = order.summary();
@@ -298,6 +302,7 @@ impl StreamCommand {
         // What the closure meets cannot end the stream from there.
         let trouble = std::cell::RefCell::new(None);
         let verifier = std::cell::RefCell::new(self.check.then(StreamVerifier::new));
+        let triangles = std::cell::RefCell::new(triangles);
         let mut found = |found| {
             let mut trouble = trouble.borrow_mut();
             if trouble.is_some() {
@@ -306,18 +311,22 @@ impl StreamCommand {
             if let Some(Err(error)) = terrain.map(|terrain| terrain.found(&found)) {
                 *trouble = Some(Trouble::Terrain(error));
             }
+            let named = match (found, terrain) {
+                (Final::Triangle { corners, .. }, Some(terrain)) if !is_renumbered => {
+                    Some(corners.map(|v| terrain.number(v)))
+                }
+                (Final::Triangle { corners, .. }, _) => Some(corners),
+                _ => None,
+            };
+            let mut triangles = triangles.borrow_mut();
+            if let Some(Err(error)) = triangles.as_mut().map(|out| out.found(&found, named)) {
+                *trouble = Some(Trouble::Out(error));
+            }
             if let Final::Triangle {
                 corners,
                 constrained,
             } = found
             {
-                let named = match terrain {
-                    Some(terrain) if !is_renumbered => corners.map(|v| terrain.number(v)),
-                    _ => corners,
-                };
-                if let Some(Err(error)) = triangles.as_mut().map(|out| out.write(named)) {
-                    *trouble = Some(Trouble::Out(error));
-                }
                 let mut verifier = verifier.borrow_mut();
                 let verifier = verifier.as_mut();
                 let judged = verifier.map(|verifier| verifier.triangle(corners, Some(constrained)));
@@ -359,6 +368,11 @@ impl StreamCommand {
                 let bytes = point.map(f64::to_le_bytes);
                 out.write_all(bytes.as_flattened()).map_err(Trouble::Out)?;
             }
+            if known.is_none()
+                && let Some(out) = triangles.borrow_mut().as_mut()
+            {
+                out.vertex(point).map_err(Trouble::Out)?;
+            }
             stream.push(number, point).map_err(Trouble::Stream)?;
             if let Some(terrain) = terrain {
                 terrain.forget(&stream);
@@ -385,6 +399,9 @@ impl StreamCommand {
             last = Some((point, first));
             for &(edge, upper) in vertex.upper {
                 stream.edge(edge, upper).map_err(Trouble::Stream)?;
+                if let Some(out) = triangles.borrow_mut().as_mut() {
+                    out.edge(upper);
+                }
             }
             done += 1;
             if done.is_multiple_of(STEP) {

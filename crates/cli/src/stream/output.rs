@@ -4,7 +4,9 @@
 use std::io::{self, Write};
 use std::path::Path;
 
-use sweep_cdt_formats::{Column, one_word};
+use sweep_cdt_formats::{Column, StreamCertificate, one_word};
+use sweep_cdt_stream::Final;
+use sweep_cdt_stream::external::Summary;
 
 use super::beside::Beside;
 use super::numbers::Width;
@@ -23,6 +25,8 @@ pub(super) enum Format {
     Ele,
     /// Stanford's binary format, which has the points too.
     Ply,
+    /// Points, edges, triangles and hints for the proved checker.
+    Certificate,
 }
 
 impl Format {
@@ -35,10 +39,11 @@ impl Format {
         match extension {
             Some("ele") => Ok(Format::Ele),
             Some("ply") => Ok(Format::Ply),
+            Some("cert") => Ok(Format::Certificate),
             _ => Width::of_path(path).map(Format::Numbers).ok_or_else(|| {
                 let name = path.display();
                 let message = format!(
-                    "{name} is no name for triangles of a stream: let it end in .u32, .u64, .ele or .ply"
+                    "{name} is no name for triangles of a stream: let it end in .u32, .u64, .ele, .ply or .cert"
                 );
                 Failure::Usage(message)
             }),
@@ -67,7 +72,7 @@ impl Format {
     /// Refuses numbers of points that do not fit.
     pub(super) fn holds(self, points: u64) -> Result<(), Failure> {
         match self {
-            Format::Ele => Ok(()),
+            Format::Ele | Format::Certificate => Ok(()),
             Format::Ply => Width::Four.holds(points),
             Format::Numbers(width) => width.holds(points),
         }
@@ -78,7 +83,7 @@ impl Format {
         // No count has more digits.
         const DIGITS: usize = 20;
         match self {
-            Format::Numbers(_) => String::new(),
+            Format::Numbers(_) | Format::Certificate => String::new(),
             Format::Ele => format!("{triangles:<DIGITS$} 3 0\n"),
             Format::Ply => {
                 let count = triangles.to_string();
@@ -109,7 +114,7 @@ pub(super) fn begin(out: &mut Out<'_>, format: Format, sorted: &Sorted) -> Resul
             let mut numbers = place.iter().chain(columns);
             numbers.try_for_each(|number| out.write_all(&number.to_le_bytes()))
         }),
-        Format::Numbers(_) | Format::Ele => Ok(()),
+        Format::Numbers(_) | Format::Ele | Format::Certificate => Ok(()),
     }
 }
 
@@ -165,24 +170,79 @@ pub(super) struct Triangles<'s, 'a, 'w> {
     /// The number of the first point in the file.
     first: u64,
     written: u64,
+    certificate: Option<StreamCertificate>,
 }
 
 impl<'s, 'a, 'w> Triangles<'s, 'a, 'w> {
-    pub(super) fn new(out: Beside<'s, 'a, 'w>, format: Format, first: u64) -> Self {
+    pub(super) fn new(
+        out: Beside<'s, 'a, 'w>,
+        format: Format,
+        first: u64,
+        summary: &Summary,
+    ) -> Self {
+        let is_certificate = format == Format::Certificate;
         Triangles {
             out,
             format,
             first,
             written: 0,
+            certificate: is_certificate.then(|| StreamCertificate::new(summary.exponent)),
         }
     }
 
-    /// Waits until all are written, and returns how many there are.
-    pub(super) fn finish(self) -> io::Result<u64> {
+    /// Waits until all are written, and returns how many there are; `is_whole` if no more would have come.
+    pub(super) fn finish(mut self, is_whole: bool) -> io::Result<u64> {
+        if let Some(certificate) = self.certificate.take()
+            && is_whole
+        {
+            certificate.finish(&mut self.out)?;
+        }
         self.out.finish().map(|()| self.written)
     }
 
-    pub(super) fn write(&mut self, corners: [u64; 3]) -> io::Result<()> {
+    pub(super) fn is_certificate(&self) -> bool {
+        self.certificate.is_some()
+    }
+
+    /// The next vertex that equals no other, if the format names vertices.
+    pub(super) fn vertex(&mut self, point: [f64; 2]) -> io::Result<()> {
+        let certificate = self.certificate.as_mut();
+        certificate.map_or(Ok(()), |certificate| {
+            certificate.vertex(point, &mut self.out)
+        })
+    }
+
+    /// An edge from the last vertex.
+    pub(super) fn edge(&mut self, upper: [f64; 2]) {
+        if let Some(certificate) = &mut self.certificate {
+            certificate.edge(upper);
+        }
+    }
+
+    /// Writes what is final; `corners` are those of a triangle as the file numbers them.
+    pub(super) fn found(&mut self, found: &Final, corners: Option<[u64; 3]>) -> io::Result<()> {
+        match (&mut self.certificate, *found) {
+            (None, _) => corners.map_or(Ok(()), |corners| self.write(corners)),
+            (Some(certificate), Final::HullSide { ends }) => {
+                certificate.hull_side(ends);
+                Ok(())
+            }
+            (
+                Some(certificate),
+                Final::Triangle {
+                    corners,
+                    constrained,
+                },
+            ) => {
+                certificate.triangle(corners, constrained);
+                self.written += 1;
+                Ok(())
+            }
+            (Some(_), _) => Ok(()),
+        }
+    }
+
+    fn write(&mut self, corners: [u64; 3]) -> io::Result<()> {
         // Numbers that do not fit were refused.
         let narrow = |number| u32::try_from(number).unwrap_or(u32::MAX);
         let at = self.written;
@@ -198,6 +258,8 @@ impl<'s, 'a, 'w> Triangles<'s, 'a, 'w> {
                 let [a, b, c] = corners.map(|number| number + self.first);
                 writeln!(self.out, "{} {a} {b} {c}", at + self.first)
             }
+            // A certificate writes its own.
+            Format::Certificate => Ok(()),
         }
     }
 }

@@ -162,9 +162,10 @@ impl StreamCommand {
         let shared = Mutex::new(triangles);
         thread::scope(|scope| {
             let beside = Beside::new(scope, &shared);
-            let mut triangles = Triangles::new(beside, format, out.first);
+            let mut triangles = Triangles::new(beside, format, out.first, &order.summary());
             let ended = self.swept(order, Some(&mut triangles), out.vertices, terrain);
-            match (ended, triangles.finish()) {
+            let is_whole = ended.is_ok();
+            match (ended, triangles.finish(is_whole)) {
                 // Both would be kept, and are not all written.
                 (Ok(_) | Err(Trouble::Stream(StreamError::TooMuchAlive { .. })), Err(error)) => {
                     Err(Trouble::Out(error))

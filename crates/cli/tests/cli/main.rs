@@ -32,6 +32,7 @@ mod statistics;
 #[cfg(target_os = "linux")]
 mod stopped;
 mod stream;
+mod stream_certificates;
 #[cfg(target_os = "linux")]
 mod stream_memory;
 mod stream_outputs;

@@ -232,7 +232,7 @@ fn wrong_usage_says_what_to_do() {
     for (arguments, message) in [
         (
             "stream p.f64 -o t.obj",
-            "t.obj is no name for triangles of a stream: let it end in .u32, .u64, .ele or .ply",
+            "t.obj is no name for triangles of a stream: let it end in .u32, .u64, .ele, .ply or .cert",
         ),
         (
             "stream p.f64 -o t.ply --vertices v.f64",

@@ -2,7 +2,9 @@
 
 mod cells;
 mod certificate;
+mod certificate_edges;
 mod certificate_numbers;
+mod certificate_stream;
 mod certificate_tiling;
 mod crossings;
 mod features;
@@ -24,6 +26,7 @@ use std::io::{self, Write};
 
 pub use cells::{Cell, Ridges, write_cells, write_ridges};
 pub use certificate::write_certificate;
+pub use certificate_stream::StreamCertificate;
 pub use crossings::write_crossings;
 pub use json::json_coordinate;
 pub use labels::edges_along;
