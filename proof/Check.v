@@ -1,4 +1,5 @@
-(* The checker, a program over integers. certificate.md explains the format. Every loop is a tail call.
+(* The checker, a program over integers. certificate.md explains the format. Every loop is a tail call. The certificate is
+   read once, record by record.
 
    The triangles come from below: each is laid on the upper border, the front, of those before it. A triangle with one
    lower side brings a new point to the front; one with two lower sides takes a point off it. So a side has both its
@@ -45,8 +46,21 @@ Record ztriangle := ZTriangle
 Inductive zdomain := Hull | EvenOdd | NonZero | Polygons (ps : list zpolygon).
 Record zedge := ZEdge
   { edge_from : zpoint; edge_through : list zpoint; edge_to : zpoint; edge_ring : option Z }.
-Record certificate := Certificate
-  { domain : zdomain; points : list zpoint; edges : list zedge; lower : list zpoint; triangles : list ztriangle }.
+Inductive record :=
+| NewPoint (p : zpoint)
+| NewEdge (e : zedge)
+| NewLower (s : zside)
+| NewTriangle (t : ztriangle)
+| Forget.
+Record certificate := Certificate { domain : zdomain; records : list record }.
+
+(* What a certificate is about: its points, edges and triangles. *)
+Definition points_in (r : record) : list zpoint := match r with NewPoint p => [p] | _ => [] end.
+Definition edges_in (r : record) : list zedge := match r with NewEdge e => [e] | _ => [] end.
+Definition triangles_in (r : record) : list ztriangle := match r with NewTriangle t => [t] | _ => [] end.
+Definition points (k : certificate) : list zpoint := flat_map points_in (records k).
+Definition edges (k : certificate) : list zedge := flat_map edges_in (records k).
+Definition triangles (k : certificate) : list ztriangle := flat_map triangles_in (records k).
 
 (* A side of the front; of the triangle below it the third corner, its mark for the side, its value, and the rings and
    polygons around it. *)
@@ -155,12 +169,6 @@ Definition step (rule : bool) (judge : option table) (t : ztriangle) (s : state)
     end
   else None.
 
-Fixpoint lay (rule : bool) (judge : option table) (ts : list ztriangle) (s : state) : option state :=
-  match ts with
-  | [] => Some s
-  | t :: r => match step rule judge t s with Some s' => lay rule judge r s' | None => None end
-  end.
-
 (* The border: sides that follow each other to the right, and never turn right (sign 1) or left (sign -1). *)
 Fixpoint chain (sign : Z) (s : zside) (l : list zside) : bool :=
   before (left_end s) (right_end s) &&
@@ -175,24 +183,24 @@ Fixpoint last_end (s : zside) (l : list zside) : zpoint :=
   | [] => right_end s
   | t :: r => last_end t r
   end.
-Definition border (low high : list zside) : bool :=
-  match low, high with
-  | s :: l, t :: h =>
-    chain 1 s l && chain (-1) t h && same (left_end s) (left_end t) && same (last_end s l) (last_end t h)
-  | _, _ => false
-  end.
-
-(* The sides of a list of points, the last one first. *)
-Fixpoint sides_of (a : zpoint) (l : list zpoint) (acc : list zside) : list zside :=
-  match l with
-  | [] => acc
-  | b :: r => sides_of b r (ZSide a b :: acc)
-  end.
-Definition low_sides (l : list zpoint) : list zside :=
-  match l with
-  | [] => []
-  | a :: r => rev_append (sides_of a r []) []
-  end.
+(* Another side of the lower hull, at its left end or its right end. *)
+Definition first_item (s : zside) : item := Item s None false 0 outside.
+Definition joins (s t : zside) : bool :=
+  same (right_end s) (left_end t) && Z.leb 0 (zorient (left_end s) (right_end s) (right_end t)).
+Definition lengthen (x : zside) (low : option (zside * zside)) (s : state) : option (zside * zside * state) :=
+  if before (left_end x) (right_end x) then
+    let i := first_item x in
+    match low with
+    | None =>
+      Some (x, x, State (passed s) (i :: ahead s) (left_end x :: right_end x :: brought s) (used s) (rises s))
+    | Some (f, l) =>
+      if joins x f then
+        Some (x, l, State [] (i :: rev_append (passed s) (ahead s)) (left_end x :: brought s) (used s) (rises s))
+      else if joins l x then
+        Some (f, x, State (rev_append (ahead s) (passed s)) [i] (right_end x :: brought s) (used s) (rises s))
+      else None
+    end
+  else None.
 
 (* The pieces of an edge: each point that it passes lies between the one before and the end. *)
 Definition piece (a b : zpoint) : zside := if before a b then ZSide a b else ZSide b a.
@@ -214,15 +222,14 @@ Fixpoint pieces (es : list zedge) (acc : list zside) : option (list zside) :=
          end
   end.
 
-Fixpoint all_on_line (a b : zpoint) (l : list zpoint) : bool :=
+(* Whether all points so far are on one line, and which. *)
+Inductive line := NoPoint | OnePlace (a : zpoint) | OnLine (a b : zpoint) | OffLine.
+Definition see (p : zpoint) (l : line) : line :=
   match l with
-  | [] => true
-  | p :: r => Z.eqb (zorient a b p) 0 && all_on_line a b r
-  end.
-Fixpoint on_line (a : zpoint) (l : list zpoint) : bool :=
-  match l with
-  | [] => true
-  | b :: r => if same a b then on_line a r else all_on_line a b r
+  | NoPoint => OnePlace p
+  | OnePlace a => if same a p then l else OnLine a p
+  | OnLine a b => if Z.eqb (zorient a b p) 0 then l else OffLine
+  | OffLine => OffLine
   end.
 
 Fixpoint map_items {A} (f : item -> A) (l : list item) (acc : list A) : list A :=
@@ -300,12 +307,23 @@ Fixpoint ends (es : list zedge) (acc : list zrise) : list zrise :=
       let at_point p := Rise (ZSide p p) n 1 in ends r (at_point (edge_from e) :: at_point (edge_to e) :: acc)
     end
   end.
-Definition values_right (d : zdomain) (es : list zedge) (rs : list zrise) : bool :=
+Definition falls_in (d : zdomain) (es : list zedge) (acc : list zrise) : list zrise :=
+  match d with
+  | Hull => acc
+  | EvenOdd | NonZero => falls one_ring es acc
+  | Polygons _ => falls edge_ring es acc
+  end.
+Definition ends_in (d : zdomain) (es : list zedge) (acc : list zrise) : list zrise :=
+  match d with
+  | Polygons _ => ends es acc
+  | _ => acc
+  end.
+Definition values_right (d : zdomain) (rs open : list zrise) : bool :=
   match d with
   | Hull => true
-  | EvenOdd => all_balanced Z.even (falls one_ring es rs)
-  | NonZero => all_balanced (Z.eqb 0) (falls one_ring es rs)
-  | Polygons _ => all_balanced Z.even (falls edge_ring es rs) && all_balanced Z.even (ends es [])
+  | EvenOdd => all_balanced Z.even rs
+  | NonZero => all_balanced (Z.eqb 0) rs
+  | Polygons _ => all_balanced Z.even rs && all_balanced Z.even open
   end.
 
 (* What is inside by its value. *)
@@ -322,22 +340,70 @@ Definition judge_of (d : zdomain) : option table :=
   | _ => None
   end.
 
-Definition check (rule : bool) (k : certificate) : bool :=
-  match triangles k with
-  | [] => match points k with [] => true | a :: r => on_line a r end
-  | _ =>
-    let low := low_sides (lower k) in
-    let judge := judge_of (domain k) in
-    let start := State [] (rev_append (fold_left (fun acc s => Item s None false 0 outside :: acc) low []) [])
-                   (lower k) [] [] in
-    match lay rule judge (triangles k) start, pieces (edges k) [] with
-    | Some s, Some ps =>
-      let front := rev_append (passed s) (ahead s) in
-      all_covered front
-      && border low (rev_append (map_items item_side front []) [])
-      && same_set_once compare_points (points k) (brought s)
-      && same_set compare_sides ps (marked_sides front (used s))
-      && values_right (domain k) (edges k) (last_rises judge front (rises s))
-    | _, _ => false
+(* The checker after some records. Points that are given and brought, and pieces of edges that are given and used, wait for
+   each other until they are forgotten together. *)
+Record course := Course
+  { laying : state; low : option (zside * zside); given : list zpoint; split : list zside;
+    fallen : list zrise; open : list zrise; seen_line : line; is_empty : bool }.
+
+Definition start : course := Course (State [] [] [] [] []) None [] [] [] [] NoPoint true.
+
+Definition take (rule : bool) (d : zdomain) (judge : option table) (r : record) (c : course) : option course :=
+  let s := laying c in
+  match r with
+  | NewPoint p =>
+    Some (Course s (low c) (p :: given c) (split c) (fallen c) (open c) (see p (seen_line c)) (is_empty c))
+  | NewEdge e =>
+    match pieces [e] (split c) with
+    | Some ps =>
+      Some (Course s (low c) (given c) ps (falls_in d [e] (fallen c)) (ends_in d [e] (open c)) (seen_line c) (is_empty c))
+    | None => None
     end
+  | NewLower x =>
+    match lengthen x (low c) s with
+    | Some (f, l, s') =>
+      Some (Course s' (Some (f, l)) (given c) (split c) (fallen c) (open c) (seen_line c) (is_empty c))
+    | None => None
+    end
+  | NewTriangle t =>
+    match step rule judge t s with
+    | Some s' => Some (Course s' (low c) (given c) (split c) (fallen c) (open c) (seen_line c) false)
+    | None => None
+    end
+  | Forget =>
+    match judge with
+    | Some _ => Some c (* The proof for polygons looks at all points that were brought. *)
+    | None =>
+      let (g, b) := cancel compare_points (given c) (brought s) in
+      let (p, u) := cancel compare_sides (split c) (used s) in
+      Some (Course (State (passed s) (ahead s) b u (rises s)) (low c) g p (fallen c) (open c) (seen_line c) (is_empty c))
+    end
+  end.
+
+Definition finish (d : zdomain) (judge : option table) (c : course) : bool :=
+  if is_empty c then match seen_line c with OffLine => false | _ => true end
+  else
+    let s := laying c in
+    let front := rev_append (passed s) (ahead s) in
+    match low c, rev_append (map_items item_side front []) [] with
+    | Some (f, l), t :: h =>
+      all_covered front
+      && chain (-1) t h && same (left_end f) (left_end t) && same (right_end l) (last_end t h)
+      && same_set_once compare_points (given c) (brought s)
+      && same_set compare_sides (split c) (marked_sides front (used s))
+      && values_right d (rev_append (fallen c) (last_rises judge front (rises s))) (open c)
+    | _, _ => false
+    end.
+
+Fixpoint run (rule : bool) (d : zdomain) (judge : option table) (rs : list record) (c : course) : option course :=
+  match rs with
+  | [] => Some c
+  | r :: rest => match take rule d judge r c with Some c' => run rule d judge rest c' | None => None end
+  end.
+
+Definition check (rule : bool) (k : certificate) : bool :=
+  let judge := judge_of (domain k) in
+  match run rule (domain k) judge (records k) start with
+  | Some c => finish (domain k) judge c
+  | None => false
   end.

@@ -4,7 +4,7 @@
    the side (Values.v). So the sum over all triangles of value times count is the sum over all edges of their counts,
    which is the winding number. Of all counts only that of the triangle that holds the point is 1. No path is followed. *)
 Require Import Reals ZArith List Lra Lia Bool Permutation.
-Require Import Spec Geometry Count Sort Rings Check Place Border Laid Pieces Values Tiling Cover.
+Require Import Spec Geometry Count Sort Rings Check Place Border Laid Pieces Values Course Tiling Cover.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -127,33 +127,20 @@ Lemma value_is_winding rule k t q : check rule k = true -> In t (triangles k) ->
 Proof.
   intros H I Q error. assert (N : triangles k <> []) by (destruct (triangles k); [destruct I|discriminate]).
   pose proof (checked_tiled rule k H N) as T.
-  destruct (check_inv rule k H N) as (s & ps & L & PS & _ & B & _ & _ & VR). cbn zeta in *.
+  destruct (check_inv rule k H N) as (low & f & r & th & h & s & ps & ends & [G _ _ _ _ _ _ _ PS _ _ VR _]).
   set (fr := rev_append (passed s) (ahead s)) in *. set (F := passes q).
   assert (E : judge_of (domain k) = None ->
-    total (weigh (along F) 0) (falls one_ring (edges k) (last_rises None fr (rises s))) = error).
-  { intros J. rewrite J in L. apply (lay_value F (passes_odd q)) in L.
-    rewrite (falls_total F (passes_odd q) (passes_adds q) _ _ _ _ _ _ PS), last_rises_value.
-    unfold F. rewrite round_winding, one_ring_edges. fold F.
+    total (weigh (along F) 0) (rev_append (falls one_ring (edges k) []) (last_rises None fr (rises s))) = error).
+  { intros J. rewrite J in G. apply (grown_value F (passes_odd q)) in G.
+    rewrite total_rev_append, (falls_total F (passes_odd q) (passes_adds q) _ _ _ _ _ _ PS), last_rises_value.
+    change (total (weigh (along F) 0) []) with 0%Z. unfold F. rewrite round_winding, one_ring_edges. fold F.
     rewrite <- (total_permutation _ _ _ (front_last s)).
-    assert (S : seen F (State [] (map first_item (low_sides (lower k))) (lower k) [] []) = 0%Z).
-    { unfold seen, front. cbn [passed ahead rises app]. rewrite total_map. clear.
-      induction (low_sides (lower k)) as [|x r IH]; [reflexivity|]. rewrite total_cons.
-      cbn [first_item level] in *. unfold total in *. cbn [fold_right] in *. lia. }
-    rewrite S in L. pose proof (only_one (fun t => t) value (triangles k) k t q T) as O. fold F in O.
-    rewrite map_id in O. specialize (O (Permutation_refl _) I Q). unfold seen in L. unfold error. lia. }
+    pose proof (only_one (fun t => t) value (triangles k) k t q T) as O. fold F in O.
+    rewrite map_id in O. specialize (O (Permutation_refl _) I Q). unfold seen in G. unfold error. lia. }
   unfold values_right in VR. destruct (domain k); trivial; cbn [judge_of] in *; rewrite <- E by reflexivity.
   - apply all_even. exact VR.
   - revert VR. apply (all_balanced_total (along F) (Z.eqb 0) (fun x => x = 0%Z)); [reflexivity| |intros; lia].
     intros x y X. apply Z.eqb_eq in X. subst. reflexivity.
-Qed.
-
-Lemma low_lefts l : exists rest, map (fun i => left_end (item_side i)) (map first_item (low_sides l)) ++ rest = l.
-Proof.
-  rewrite map_map. destruct l as [|a r]; [exists []; reflexivity|]. unfold low_sides. rewrite rev_append_rev, app_nil_r.
-  assert (G : forall l a acc, exists z, map left_end (rev (sides_of a l acc)) ++ [z] = map left_end (rev acc) ++ a :: l).
-  { clear. induction l as [|b r IH]; intros a acc; cbn [sides_of]; [exists a; reflexivity|].
-    destruct (IH b (ZSide a b :: acc)) as [z E]. exists z. rewrite E. cbn [rev]. rewrite map_app, <- app_assoc. reflexivity. }
-  destruct (G r a []) as [z E]. exists [z]. exact E.
 Qed.
 
 (* By polygons, the rings around a triangle are those that go round each of its points, and its value says of them. *)
@@ -164,32 +151,17 @@ Lemma rings_are_winding rule k ps t q : check rule k = true -> domain k = Polygo
 Proof.
   intros H D I Q. assert (N : triangles k <> []) by (destruct (triangles k); [destruct I|discriminate]).
   pose proof (checked_tiled rule k H N) as T.
-  destruct (check_inv rule k H N) as (s & es & L & PS & _ & B & VS & _ & VR). cbn zeta in *.
-  rewrite D in L, VR. cbn [judge_of values_right] in L, VR. set (m := table_of 1 ps (PM.empty _)) in *.
-  apply andb_prop in VR. destruct VR as [VR C].
-  apply border_inv in B. destruct B as (sl & l & th & h & EL & _ & CL & _).
-  pose proof (chain_lex u u_positive _ _ _ CL) as LexL. rewrite <- EL in LexL.
-  set (low := low_sides (lower k)) in *.
-  assert (ST : ringed m [] [] (State [] (map first_item low) (lower k) [] [])).
-  { split; unfold front; cbn [passed ahead brought rises app].
-    - intros x [].
-    - intros i J. apply in_map_iff in J. destruct J as (x & <- & J). cbn [first_item beneath item_side].
-      split; [apply outside_good|]. apply (before_lex u u_positive). apply LexL. assumption.
-    - intros x [].
-    - destruct (low_lefts (lower k)) as [rest E]. fold low in E. exists rest. cbn [map app]. rewrite E. reflexivity.
-    - intros n F _. exists 0%Z. rewrite total_map. clear. induction low as [|x r IH]; [reflexivity|]. rewrite total_cons.
-      unfold total in *. cbn [fold_right] in *.
-      assert (Zero : parity n (beneath (first_item x)) = 0%Z); [|rewrite Zero; lia].
-      unfold parity, has. cbn [first_item beneath outside odd]. rewrite PM.mem_find, PM.gempty. reflexivity. }
-  destruct (ringed_lay rule m _ _ _ _ _ ST L) as (done & M & R & P). cbn [map] in P. rewrite app_nil_r in P.
-  pose proof (same_set_once_once compare_points compare_points_lt compare_points_same _ _ VS) as Once.
+  destruct (check_inv rule k H N) as (low & f & r & th & h & s & es & ends & [G _ _ _ _ _ _ _ PS _ _ VR Once]).
+  rewrite D in G, VR, Once. cbn [judge_of values_right falls_in ends_in] in G, VR, Once.
+  set (m := table_of 1 ps (PM.empty _)) in *. apply andb_prop in VR. destruct VR as [VR C].
+  specialize (Once ltac:(discriminate)). destruct (grown_ringed _ _ _ _ _ _ G) as (done & M & R & P).
   assert (J : In t (map fst done)) by (apply (Permutation_in _ (Permutation_sym P)); assumption).
   apply in_map_iff in J. destruct J as ([t' w] & E & J). cbn [fst] in E. subst t'.
-  destruct (r_done _ _ _ _ R _ J) as [G V]. cbn [fst snd] in G, V. exists w. split; [assumption|]. split; [assumption|].
+  destruct (r_done _ _ _ _ _ R _ J) as [Gw V]. cbn [fst snd] in Gw, V. exists w. split; [assumption|]. split; [assumption|].
   intros n. rewrite <- round_winding.
   pose proof (only_one fst (fun x => parity n (snd x)) done k (t, w) q T P J Q) as O. cbv beta in O. cbn [snd] in O.
   rewrite <- O.
-  apply (rings_right m done M s _ (edges k) es R (front_last s) Once PS VR C);
+  apply (rings_right m done M _ s _ (edges k) es R (front_last s) Once PS VR C);
     [apply passes_odd|apply passes_adds].
 Qed.
 

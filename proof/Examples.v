@@ -34,40 +34,49 @@ Definition zc := ZPoint 2 2.
 Definition zd := ZPoint 0 2.
 Definition no := Marks false false false.
 
+(* A certificate with its points first, then edges, the lower hull and triangles. *)
+Fixpoint sides (l : list zpoint) : list record :=
+  match l with
+  | a :: ((b :: _) as r) => NewLower (ZSide a b) :: sides r
+  | _ => []
+  end.
+Definition whole d ps es low ts : certificate :=
+  Certificate d (map NewPoint ps ++ map NewEdge es ++ sides low ++ map NewTriangle ts).
+
 Lemma placed x y : place 1 (ZPoint x y) = Point (IZR x) (IZR y).
 Proof. unfold place; cbn; f_equal; ring. Qed.
 
 Ltac by_checker rule k theorem :=
   let H := fresh in assert (H : check rule k = true) by (vm_compute; reflexivity);
   apply (theorem 1 Rlt_0_1) in H;
-  unfold real_points, real_edges, real_triangles, place_triangle, place_edge in H;
-  cbn [map points edges triangles corner_a corner_b corner_c edge_from edge_to za zb zc zd] in H;
+  unfold real_points, real_edges, real_triangles, points, edges, triangles, place_triangle, place_edge in H;
+  cbn [map whole records sides flat_map app points_in edges_in triangles_in points edges triangles corner_a corner_b corner_c edge_from edge_to za zb zc zd] in H;
   unfold za, zb, zc, zd in H; rewrite ?placed in H; exact H.
 
 Example fan_is_right : canonical square [] fan.
 Proof.
-  by_checker true (Certificate Hull [za; zb; zc; zd] [] [za; zb; zc] [ZTriangle za zb zd no 0 [] [];
+  by_checker true (whole Hull [za; zb; zc; zd] [] [za; zb; zc] [ZTriangle za zb zd no 0 [] [];
     ZTriangle zd zb zc no 0 [] []])
     accepted_is_canonical.
 Qed.
 
 Example other_is_right : constrained_delaunay square [] other.
 Proof.
-  by_checker false (Certificate Hull [za; zb; zc; zd] [] [za; zb; zc] [ZTriangle za zb zc no 0 [] [];
+  by_checker false (whole Hull [za; zb; zc; zd] [] [za; zb; zc] [ZTriangle za zb zc no 0 [] [];
     ZTriangle za zc zd no 0 [] []])
     (fun u p => accepted_is_constrained_delaunay u p false).
 Qed.
 
 Example other_is_canonical_with_edge : canonical square [(a, c)] other.
 Proof.
-  by_checker true (Certificate Hull [za; zb; zc; zd] [ZEdge za [] zc None] [za; zb; zc]
+  by_checker true (whole Hull [za; zb; zc; zd] [ZEdge za [] zc None] [za; zb; zc]
       [ZTriangle za zb zc (Marks false false true) 0 [] []; ZTriangle za zc zd (Marks true false false) 0 [] []])
     accepted_is_canonical.
 Qed.
 
 Example upright_is_right : canonical kite [] upright.
 Proof.
-  by_checker true (Certificate Hull [ZPoint 0 0; ZPoint 4 (-1); ZPoint 8 0; ZPoint 4 1] [] [ZPoint 0 0;
+  by_checker true (whole Hull [ZPoint 0 0; ZPoint 4 (-1); ZPoint 8 0; ZPoint 4 1] [] [ZPoint 0 0;
     ZPoint 4 (-1); ZPoint 8 0]
       [ZTriangle (ZPoint 4 (-1)) (ZPoint 8 0) (ZPoint 4 1) no 0 [] [];
         ZTriangle (ZPoint 0 0) (ZPoint 4 (-1)) (ZPoint 4 1) no 0 [] []])
@@ -76,7 +85,7 @@ Qed.
 
 Example level_is_right_with_edge : canonical kite [(w, e)] level.
 Proof.
-  by_checker true (Certificate Hull [ZPoint 0 0; ZPoint 4 (-1); ZPoint 8 0;
+  by_checker true (whole Hull [ZPoint 0 0; ZPoint 4 (-1); ZPoint 8 0;
     ZPoint 4 1] [ZEdge (ZPoint 0 0) [] (ZPoint 8 0) None]
       [ZPoint 0 0; ZPoint 4 (-1); ZPoint 8 0]
       [ZTriangle (ZPoint 0 0) (ZPoint 4 (-1)) (ZPoint 8 0) (Marks false false true) 0 [] [];
@@ -93,7 +102,7 @@ Definition all_sides := Marks true true true.
 
 Ltac interior_by_checker rule edges v low w left right :=
   let H := fresh in
-  assert (H : check true (Certificate rule [za; zb; zc; zd] edges [za; zb; zc]
+  assert (H : check true (whole rule [za; zb; zc; zd] edges [za; zb; zc]
     [ZTriangle za zb zd all_sides v low []; ZTriangle zd zb zc all_sides w left right]) = true) by (vm_compute; reflexivity);
   apply (accepted_inside_is_interior 1 Rlt_0_1) in H; cbn [domain] in H;
   unfold real_edges, real_triangles, real_inside, real_polygons, Domain.real_polygon, Domain.ring_edges,

@@ -74,13 +74,37 @@ Proof.
     + unfold front; cbn. rewrite <- Permutation_middle. reflexivity.
 Qed.
 
+(* The ends of the sides of the lower hull. *)
+Definition ends_of (l : list zside) : list zpoint := flat_map (fun x => [left_end x; right_end x]) l.
+
+Lemma ends_of_in l p : In p (ends_of l) <-> exists x, In x l /\ (p = left_end x \/ p = right_end x).
+Proof.
+  unfold ends_of. rewrite in_flat_map. split; intros (x & I & E); exists x; (split; [assumption|]); cbn in *; intuition.
+Qed.
+
+(* Another side x of the lower hull comes to the front, with the points ps. *)
+Definition adds (x : zside) (ps : list zpoint) (s s' : state) : Prop :=
+  before (left_end x) (right_end x) = true /\ Permutation (front s') (first_item x :: front s) /\
+  brought s' = ps ++ brought s /\ used s' = used s /\ rises s' = rises s.
+
+(* The states to which a lower hull, with its two ends, and triangles lead. *)
+Inductive grown (rule : bool) (judge : option table) :
+  list zside -> option (zside * zside) -> list ztriangle -> state -> Prop :=
+| grown_start : grown rule judge [] None [] (State [] [] [] [] [])
+| grown_triangle low ends ts s t s' : grown rule judge low ends ts s -> step rule judge t s = Some s' ->
+    grown rule judge low ends (ts ++ [t]) s'
+| grown_first ts s x s' : grown rule judge [] None ts s -> adds x [left_end x; right_end x] s s' ->
+    grown rule judge [x] (Some (x, x)) ts s'
+| grown_left low f l ts s x s' : grown rule judge low (Some (f, l)) ts s -> joins x f = true ->
+    adds x [left_end x] s s' -> grown rule judge (x :: low) (Some (x, l)) ts s'
+| grown_right low f l ts s x s' : grown rule judge low (Some (f, l)) ts s -> joins l x = true ->
+    adds x [right_end x] s s' -> grown rule judge (low ++ [x]) (Some (f, x)) ts s'.
+
 Section Laid.
 Variable u : R.
 Hypothesis u_positive : 0 < u.
 Variable rule : bool.
 Variable judge : option table.
-Variable low : list zside.
-Variable low_points : list zpoint.
 
 Notation at_left i := (place u (left_end (item_side i))).
 Notation at_right i := (place u (right_end (item_side i))).
@@ -104,7 +128,7 @@ Qed.
 Lemma fine_more used used' a b c d : incl used used' -> fine used a b c d -> fine used' a b c d.
 Proof. intros I [[s [J H]]|H]; [left; exists s; split; [apply I|]; assumption|right; assumption]. Qed.
 
-Record laid (done : list ztriangle) (s : state) : Prop := {
+Record laid (low : list zside) (done : list ztriangle) (s : state) : Prop := {
   l_positive : forall t, In t done -> positive (tri t);
   l_count : forall q, (total (fun t => count q (tri t)) done + total (fun i => above (at_left i) (at_right i) q)
     (front s)
@@ -123,12 +147,12 @@ Record laid (done : list ztriangle) (s : state) : Prop := {
     exists t c, In t done /\ turned (tri t) (place u (left_end x)) (place u (right_end x)) c;
   l_low : forall x, In x low -> (exists i, In i (front s) /\ item_side i = x /\ below i = None) \/
     exists t c, In t done /\ turned (tri t) (place u (left_end x)) (place u (right_end x)) c;
-  l_brought : forall p, In p (brought s) -> In p low_points \/ exists t, In t done /\ corner (place u p) (tri t);
+  l_brought : forall p, In p (brought s) -> In p (ends_of low) \/ exists t, In t done /\ corner (place u p) (tri t);
   l_ends : forall i, In i (front s) ->
     In (left_end (item_side i)) (brought s) /\ In (right_end (item_side i)) (brought s);
   l_corners : forall t, In t done ->
     In (corner_a t) (brought s) /\ In (corner_b t) (brought s) /\ In (corner_c t) (brought s);
-  l_up : forall k m w, 0 <= m -> (forall p, In p low_points -> 0 <= affine k m w (place u p)) ->
+  l_up : forall k m w, 0 <= m -> (forall p, In p (ends_of low) -> 0 <= affine k m w (place u p)) ->
     forall p, In p (brought s) -> 0 <= affine k m w (place u p);
   l_down : forall k m w, m <= 0 ->
     (forall i, In i (front s) -> 0 <= affine k m w (at_left i) /\ 0 <= affine k m w (at_right i)) ->
@@ -183,19 +207,19 @@ Lemma use_marked m i l : m = true -> In (item_side i) (use m i l).
 Proof. intros ->; cbn; auto. Qed.
 
 (* A side of the front that has been covered by the triangle t0. *)
-Lemma covered done s t0 i m c l : laid done s -> In i (front s) -> legal rule m c i = true ->
+Lemma covered low done s t0 i m c l : laid low done s -> In i (front s) -> legal rule m c i = true ->
   (m = true -> In (item_side i) l) -> turned (tri t0) (at_left i) (at_right i) (place u c) ->
   (exists x, In x low /\ at_left i = place u (left_end x) /\ at_right i = place u (right_end x)) \/
   (exists t d, In t done /\ turned (tri t) (at_right i) (at_left i) d /\ fine l (at_left i) (at_right i) (place u c) d).
 Proof.
-  intros H I L M T. pose proof (l_below _ _ H i I) as B.
+  intros H I L M T. pose proof (l_below _ _ _ H i I) as B.
   destruct (below i) as [d|] eqn:E.
   - destruct B as [t [It Tt]]. right. exists t, (place u d). repeat split; try assumption.
     apply legal_fine with m; assumption.
   - left. exists (item_side i). tauto.
 Qed.
 
-Lemma laid_step done s t s' : laid done s -> step rule judge t s = Some s' -> laid (t :: done) s'.
+Lemma laid_step low done s t s' : laid low done s -> step rule judge t s = Some s' -> laid low (t :: done) s'.
 Proof.
   intros H E. apply step_cases in E. cbn zeta in E. destruct E as (A & i & Ei & Li & _ & E).
   apply (place_orient_positive u u_positive) in A.
@@ -221,13 +245,13 @@ Proof.
     assert (Cov : (exists x, In x low /\ at_left i = place u (left_end x) /\ at_right i = place u (right_end x)) \/
       (exists t d, In t done /\ turned (tri t) (at_right i) (at_left i) d /\
          fine (used s') (at_left i) (at_right i) (place u c) d)).
-    { apply covered with s t (mark_ab m); try assumption; [|rewrite Ei; assumption].
+    { apply (covered low done s t _ (mark_ab m)); try assumption; [|rewrite Ei; assumption].
       rewrite Us. apply use_marked. }
     assert (More : incl (used s) (used s')) by (rewrite Us; apply use_incl).
-    destruct (l_ends _ _ H i Ii) as [Ha Hb]. rewrite Ei in Ha, Hb; cbn in Ha, Hb.
+    destruct (l_ends _ _ _ H i Ii) as [Ha Hb]. rewrite Ei in Ha, Hb; cbn in Ha, Hb.
     split.
-    + intros x [<-|Hx]; [assumption | apply (l_positive _ _ H); assumption].
-    + intros q. pose proof (l_count _ _ H q) as C. rewrite (total_permutation _ _ _ P) in C.
+    + intros x [<-|Hx]; [assumption | apply (l_positive _ _ _ H); assumption].
+    + intros q. pose proof (l_count _ _ _ H q) as C. rewrite (total_permutation _ _ _ P) in C.
       rewrite (total_permutation _ _ _ P'), !total_cons. rewrite total_cons, Ei in C.
       unfold n1, n2. cbn [item_side left_end right_end] in *.
       assert (K : count q (tri t) = (above (place u a) (place u b) q - above (place u c) (place u b) q
@@ -237,11 +261,11 @@ Proof.
       rewrite (above_right (place u b) (place u c)) by (unfold lex in *; lra).
       rewrite (above_right (place u c) (place u a)) by (unfold lex in *; lra). lia.
     + intros x Hx. apply New in Hx. destruct Hx as [->|[->|Hx]]; [assumption | assumption |].
-      apply (l_order _ _ H); auto.
+      apply (l_order _ _ _ H); auto.
     + intros x Hx. apply New in Hx. destruct Hx as [->|[->|Hx]]; cbn.
       * exists t. auto.
       * exists t. auto.
-      * pose proof (l_below _ _ H x (Old x Hx)) as B. destruct (below x); [|assumption].
+      * pose proof (l_below _ _ _ H x (Old x Hx)) as B. destruct (below x); [|assumption].
         destruct B as [t' [I T]]. exists t'. auto.
     + intros x a' b' c' [<-|Hx] T.
       * destruct (turned_three _ _ _ _ _ _ _ Tab T) as [(->&->&->)|[(->&->&->)|(->&->&->)]].
@@ -249,7 +273,7 @@ Proof.
            right. exists t', d. repeat split; auto. right; assumption.
         -- left. exists n2, a. repeat split; auto.
         -- left. exists n1, b. repeat split; auto.
-      * destruct (l_sides _ _ H x a' b' c' Hx T) as [(k & d & I & B & -> & -> & ->)|[L|(t' & d & I & T' & F)]].
+      * destruct (l_sides _ _ _ H x a' b' c' Hx T) as [(k & d & I & B & -> & -> & ->)|[L|(t' & d & I & T' & F)]].
         -- apply Back in I. destruct I as [->|I].
            ++ right. right. exists t, (place u c). split; [left; reflexivity|]. split; [rewrite Ei; assumption|].
               apply fine_turn. apply legal_fine with (mark_ab m); try assumption. rewrite Us. apply use_marked.
@@ -259,31 +283,31 @@ Proof.
            apply fine_more with (used s); assumption.
     + intros x Hx. rewrite Us in Hx. apply use_in in Hx. destruct Hx as [->|Hx].
       * rewrite Ei. exists t, (place u c). split; [left; reflexivity | assumption].
-      * destruct (l_used _ _ H x Hx) as (t' & d & I & T). exists t', d. split; [right|]; assumption.
-    + intros x Hx. destruct (l_low _ _ H x Hx) as [(k & I & S & B)|(t' & d & I & T)].
+      * destruct (l_used _ _ _ H x Hx) as (t' & d & I & T). exists t', d. split; [right|]; assumption.
+    + intros x Hx. destruct (l_low _ _ _ H x Hx) as [(k & I & S & B)|(t' & d & I & T)].
       * apply Back in I. destruct I as [->|I].
         -- right. exists t, (place u c). split; [left; reflexivity|]. rewrite <- S, Ei. assumption.
         -- left. exists k. auto.
       * right. exists t', d. split; [right|]; assumption.
     + intros p Hp. rewrite Br in Hp. destruct Hp as [<-|Hp].
       * right. exists t. split; [left; reflexivity|]. cbn. auto.
-      * destruct (l_brought _ _ H p Hp) as [|(t' & I & C)]; [left; assumption|].
+      * destruct (l_brought _ _ _ H p Hp) as [|(t' & I & C)]; [left; assumption|].
         right. exists t'. split; [right|]; assumption.
     + intros x Hx. rewrite Br. apply New in Hx. destruct Hx as [->|[->|Hx]]; cbn; auto.
-      destruct (l_ends _ _ H x (Old x Hx)); auto.
+      destruct (l_ends _ _ _ H x (Old x Hx)); auto.
     + intros x Hx. rewrite Br. destruct Hx as [<-|Hx]; cbn; auto.
-      destruct (l_corners _ _ H x Hx) as (? & ? & ?); auto.
-    + intros k m' w M Hl p Hp. rewrite Br in Hp. destruct Hp as [<-|Hp]; [|exact (l_up _ _ H k m' w M Hl p Hp)].
+      destruct (l_corners _ _ _ H x Hx) as (? & ? & ?); auto.
+    + intros k m' w M Hl p Hp. rewrite Br in Hp. destruct Hp as [<-|Hp]; [|exact (l_up _ _ _ H k m' w M Hl p Hp)].
       apply over_side with (place u a) (place u b); try assumption; try lra.
       * apply lex_transitive with (place u c); assumption.
       * apply Rmult_le_pos; lra.
-      * exact (l_up _ _ H k m' w M Hl a Ha).
-      * exact (l_up _ _ H k m' w M Hl b Hb).
+      * exact (l_up _ _ _ H k m' w M Hl a Ha).
+      * exact (l_up _ _ _ H k m' w M Hl b Hb).
     + intros k m' w M Hf p Hp. rewrite Br in Hp.
       pose proof (Hf n1 (Has n1 (or_introl eq_refl))) as [G1 G2].
       pose proof (Hf n2 (Has n2 (or_intror (or_introl eq_refl)))) as [G3 G4]. cbn in G1, G2, G3, G4.
       destruct Hp as [<-|Hp]; [assumption|].
-      refine (l_down _ _ H k m' w M _ p Hp). intros x Hx. apply Back in Hx. destruct Hx as [->|Hx].
+      refine (l_down _ _ _ H k m' w M _ p Hp). intros x Hx. apply Back in Hx. destruct Hx as [->|Hx].
       * rewrite Ei; cbn. auto.
       * apply Hf. auto.
   - (* two lower sides, and b goes off the front *)
@@ -298,7 +322,7 @@ Proof.
       by (intros x Hx; apply (Permutation_in _ P') in Hx; cbn in Hx; intuition).
     assert (Has : forall x, x = n1 \/ In x r -> In x (front s'))
       by (intros x Hx; apply (Permutation_in _ (Permutation_sym P')); cbn; intuition).
-    pose proof (l_order _ _ H i Ii) as Bab. pose proof (l_order _ _ H j Ij) as Bbc.
+    pose proof (l_order _ _ _ H i Ii) as Bab. pose proof (l_order _ _ _ H j Ij) as Bbc.
     rewrite Ei in Bab. rewrite Ej in Bbc. cbn in Bab, Bbc.
     assert (More : incl (used s) (used s')).
     { rewrite Us. eapply incl_tran; [apply use_incl|apply use_incl]. }
@@ -308,16 +332,16 @@ Proof.
     assert (Covi : (exists x, In x low /\ at_left i = place u (left_end x) /\ at_right i = place u (right_end x)) \/
       (exists t d, In t done /\ turned (tri t) (at_right i) (at_left i) d /\
          fine (used s') (at_left i) (at_right i) (place u c) d)).
-    { apply covered with s t (mark_ab m); try assumption. rewrite Ei; assumption. }
+    { apply (covered low done s t _ (mark_ab m)); try assumption. rewrite Ei; assumption. }
     assert (Covj : (exists x, In x low /\ at_left j = place u (left_end x) /\ at_right j = place u (right_end x)) \/
       (exists t d, In t done /\ turned (tri t) (at_right j) (at_left j) d /\
          fine (used s') (at_left j) (at_right j) (place u a) d)).
-    { apply covered with s t (mark_bc m); try assumption. rewrite Ej; assumption. }
-    destruct (l_ends _ _ H i Ii) as [Ha Hb]. rewrite Ei in Ha, Hb; cbn in Ha, Hb.
-    destruct (l_ends _ _ H j Ij) as [_ Hc]. rewrite Ej in Hc; cbn in Hc.
+    { apply (covered low done s t _ (mark_bc m)); try assumption. rewrite Ej; assumption. }
+    destruct (l_ends _ _ _ H i Ii) as [Ha Hb]. rewrite Ei in Ha, Hb; cbn in Ha, Hb.
+    destruct (l_ends _ _ _ H j Ij) as [_ Hc]. rewrite Ej in Hc; cbn in Hc.
     split.
-    + intros x [<-|Hx]; [assumption | apply (l_positive _ _ H); assumption].
-    + intros q. pose proof (l_count _ _ H q) as C. rewrite (total_permutation _ _ _ P) in C.
+    + intros x [<-|Hx]; [assumption | apply (l_positive _ _ _ H); assumption].
+    + intros q. pose proof (l_count _ _ _ H q) as C. rewrite (total_permutation _ _ _ P) in C.
       rewrite (total_permutation _ _ _ P'), !total_cons. rewrite !total_cons, Ei, Ej in C.
       unfold n1. cbn [item_side left_end right_end] in *.
       assert (K : count q (tri t) = (above (place u a) (place u b) q + above (place u b) (place u c) q
@@ -327,10 +351,10 @@ Proof.
       rewrite (above_right (place u c) (place u b)) by (unfold lex in *; lra).
       rewrite (above_right (place u c) (place u a)) by (unfold lex in *; lra). lia.
     + intros x Hx. apply New in Hx. destruct Hx as [->|Hx]; [apply lex_transitive with (place u b); assumption|].
-      apply (l_order _ _ H); auto.
+      apply (l_order _ _ _ H); auto.
     + intros x Hx. apply New in Hx. destruct Hx as [->|Hx]; cbn.
       * exists t. auto.
-      * pose proof (l_below _ _ H x (Old x Hx)) as B. destruct (below x); [|assumption].
+      * pose proof (l_below _ _ _ H x (Old x Hx)) as B. destruct (below x); [|assumption].
         destruct B as [t' [I T]]. exists t'. auto.
     + intros x a' b' c' [<-|Hx] T.
       * destruct (turned_three _ _ _ _ _ _ _ Tab T) as [(->&->&->)|[(->&->&->)|(->&->&->)]].
@@ -339,7 +363,7 @@ Proof.
         -- right. rewrite Ej in Covj; cbn in Covj. destruct Covj as [Cov|(t' & d & I & T' & F)]; [left; assumption|].
            right. exists t', d. repeat split; auto. right; assumption.
         -- left. exists n1, b. repeat split; auto.
-      * destruct (l_sides _ _ H x a' b' c' Hx T) as [(k & d & I & B & -> & -> & ->)|[L|(t' & d & I & T' & F)]].
+      * destruct (l_sides _ _ _ H x a' b' c' Hx T) as [(k & d & I & B & -> & -> & ->)|[L|(t' & d & I & T' & F)]].
         -- apply Back in I. destruct I as [->|[->|I]].
            ++ right. right. exists t, (place u c). split; [left; reflexivity|]. split; [rewrite Ei; assumption|].
               apply fine_turn. apply legal_fine with (mark_ab m); assumption.
@@ -353,19 +377,19 @@ Proof.
       * rewrite Ei. exists t, (place u c). split; [left; reflexivity | assumption].
       * apply use_in in Hx. destruct Hx as [->|Hx].
         -- rewrite Ej. exists t, (place u a). split; [left; reflexivity | assumption].
-        -- destruct (l_used _ _ H x Hx) as (t' & d & I & T). exists t', d. split; [right|]; assumption.
-    + intros x Hx. destruct (l_low _ _ H x Hx) as [(k & I & S & B)|(t' & d & I & T)].
+        -- destruct (l_used _ _ _ H x Hx) as (t' & d & I & T). exists t', d. split; [right|]; assumption.
+    + intros x Hx. destruct (l_low _ _ _ H x Hx) as [(k & I & S & B)|(t' & d & I & T)].
       * apply Back in I. destruct I as [->|[->|I]].
         -- right. exists t, (place u c). split; [left; reflexivity|]. rewrite <- S, Ei. assumption.
         -- right. exists t, (place u a). split; [left; reflexivity|]. rewrite <- S, Ej. assumption.
         -- left. exists k. auto.
       * right. exists t', d. split; [right|]; assumption.
-    + intros p Hp. rewrite Br in Hp. destruct (l_brought _ _ H p Hp) as [|(t' & I & C)]; [left; assumption|].
+    + intros p Hp. rewrite Br in Hp. destruct (l_brought _ _ _ H p Hp) as [|(t' & I & C)]; [left; assumption|].
       right. exists t'. split; [right|]; assumption.
     + intros x Hx. rewrite Br. apply New in Hx. destruct Hx as [->|Hx]; cbn; auto.
-      apply (l_ends _ _ H); auto.
-    + intros x Hx. rewrite Br. destruct Hx as [<-|Hx]; auto. apply (l_corners _ _ H); assumption.
-    + intros k m' w M Hl p Hp. rewrite Br in Hp. exact (l_up _ _ H k m' w M Hl p Hp).
+      apply (l_ends _ _ _ H); auto.
+    + intros x Hx. rewrite Br. destruct Hx as [<-|Hx]; auto. apply (l_corners _ _ _ H); assumption.
+    + intros k m' w M Hl p Hp. rewrite Br in Hp. exact (l_up _ _ _ H k m' w M Hl p Hp).
     + intros k m' w M Hf p Hp. rewrite Br in Hp.
       pose proof (Hf n1 (Has n1 (or_introl eq_refl))) as [G1 G2]. cbn in G1, G2.
       assert (Gb : 0 <= affine k m' w (place u b)).
@@ -374,20 +398,90 @@ Proof.
         apply over_side with (place u a) (place u c); try assumption; try lra.
         - apply lex_transitive with (place u b); assumption.
         - nra. }
-      refine (l_down _ _ H k m' w M _ p Hp). intros x Hx. apply Back in Hx. destruct Hx as [->|[->|Hx]].
+      refine (l_down _ _ _ H k m' w M _ p Hp). intros x Hx. apply Back in Hx. destruct Hx as [->|[->|Hx]].
       * rewrite Ei; cbn. auto.
       * rewrite Ej; cbn. auto.
       * apply Hf. auto.
 Qed.
 
-Lemma laid_lay : forall ts done s s', laid done s -> lay rule judge ts s = Some s' ->
-  exists done', laid done' s' /\ Permutation done' (ts ++ done).
+Lemma laid_lower low low' ps done s x s' : laid low done s -> adds x ps s s' -> Permutation low' (x :: low) ->
+  incl ps [left_end x; right_end x] -> In (left_end x) (brought s') -> In (right_end x) (brought s') -> laid low' done s'.
 Proof.
-  induction ts as [|t ts IH]; cbn; intros done s s' H E.
-  - injection E as <-. exists done. auto.
-  - destruct (step rule judge t s) as [s1|] eqn:S; [|discriminate].
-    apply laid_step with (t := t) (s' := s1) in H; [|assumption].
-    destruct (IH _ _ _ H E) as (d & L & P). exists d. split; [assumption|].
-    rewrite P. symmetry. apply Permutation_middle.
+  intros H (B & P & Br & Us & _) L I Il Ir. apply (before_lex u u_positive) in B.
+  assert (New : forall i, In i (front s') -> i = first_item x \/ In i (front s))
+    by (intros i Hi; apply (Permutation_in _ P) in Hi; cbn in Hi; intuition).
+  assert (Has : forall i, i = first_item x \/ In i (front s) -> In i (front s'))
+    by (intros i Hi; apply (Permutation_in _ (Permutation_sym P)); cbn; intuition).
+  assert (Low : forall y, In y low' <-> y = x \/ In y low).
+  { intros y. split; intros Hy.
+    - apply (Permutation_in _ L) in Hy. cbn in Hy. intuition.
+    - apply (Permutation_in _ (Permutation_sym L)). cbn. intuition. }
+  assert (End : forall p, In p (ends_of low') <-> p = left_end x \/ p = right_end x \/ In p (ends_of low)).
+  { intros p. rewrite !ends_of_in. split.
+    - intros (y & Hy & E). apply Low in Hy. destruct Hy as [->|Hy]; [tauto|]. right; right. exists y. auto.
+    - intros [->|[->|(y & Hy & E)]]; [exists x|exists x|exists y]; rewrite Low; auto. }
+  split.
+  - apply (l_positive _ _ _ H).
+  - intros q. rewrite (total_permutation _ _ _ P), (total_permutation _ _ _ L), !total_cons.
+    pose proof (l_count _ _ _ H q). cbn [first_item item_side]. lia.
+  - intros i Hi. apply New in Hi. destruct Hi as [->|Hi]; [assumption|]. apply (l_order _ _ _ H); assumption.
+  - intros i Hi. apply New in Hi. destruct Hi as [->|Hi]; [cbn; rewrite Low; auto|].
+    pose proof (l_below _ _ _ H i Hi) as W. destruct (below i); [assumption|]. rewrite Low. tauto.
+  - intros t a b c Ht T. destruct (l_sides _ _ _ H t a b c Ht T) as [(i & d & Hi & W)|[(y & Hy & W)|W]].
+    + left. exists i, d. auto.
+    + right. left. exists y. rewrite Low. auto.
+    + right. right. rewrite Us. assumption.
+  - intros y Hy. rewrite Us in Hy. apply (l_used _ _ _ H y Hy).
+  - intros y Hy. apply Low in Hy. destruct Hy as [->|Hy]; [left; exists (first_item x); auto|].
+    destruct (l_low _ _ _ H y Hy) as [(i & Hi & W)|W]; [left; exists i; auto|right; assumption].
+  - intros p Hp. rewrite End. rewrite Br in Hp. apply in_app_or in Hp. destruct Hp as [Hp|Hp].
+    + apply I in Hp. cbn in Hp. intuition.
+    + destruct (l_brought _ _ _ H p Hp); auto.
+  - intros i Hi. apply New in Hi. destruct Hi as [->|Hi]; [auto|]. rewrite Br, !in_app_iff.
+    destruct (l_ends _ _ _ H i Hi). auto.
+  - intros t Ht. rewrite Br, !in_app_iff. destruct (l_corners _ _ _ H t Ht) as (? & ? & ?). auto.
+  - intros k m w M Hl p Hp. rewrite Br in Hp. apply in_app_or in Hp. destruct Hp as [Hp|Hp].
+    + apply Hl, End. apply I in Hp. cbn in Hp. intuition.
+    + apply (l_up _ _ _ H k m w M); [|assumption]. intros z Hz. apply Hl, End. auto.
+  - intros k m w M Hf p Hp. rewrite Br in Hp. apply in_app_or in Hp. destruct Hp as [Hp|Hp].
+    + destruct (Hf (first_item x)) as [Fl Fr]; [auto|]. cbn in Fl, Fr. apply I in Hp. cbn in Hp.
+      destruct Hp as [<-|[<-|[]]]; assumption.
+    + apply (l_down _ _ _ H k m w M); [|assumption]. intros i Hi. apply Hf. auto.
+Qed.
+
+(* The points of the lower hull are there. *)
+Lemma grown_ends low ends ts s : grown rule judge low ends ts s -> incl (ends_of low) (brought s) /\
+  match ends with Some (f, l) => In f low /\ In l low | None => low = [] end.
+Proof.
+  induction 1 as [|low ends ts s t s' G [I E] S|ts s x s' G _ A|low f l ts s x s' G [I E] J A|low f l ts s x s' G [I E] J A].
+  - split; [intros p []|reflexivity].
+  - split; [|assumption]. intros p P. apply I in P. apply step_cases in S. cbn zeta in S.
+    destruct S as (_ & i & _ & _ & _ & [(r & _ & _ & _ & _ & -> & _)|(j & r & _ & _ & _ & _ & -> & _)]); cbn; auto.
+  - destruct A as (_ & _ & -> & _). split; [|cbn; auto]. intros p P. cbn in *. intuition.
+  - destruct A as (_ & _ & -> & _). apply andb_prop in J. destruct J as [J _]. apply same_eq in J.
+    split; [|cbn; intuition]. intros p P. cbn in P. cbn. destruct P as [<-|[<-|P]]; auto.
+    right. apply I, ends_of_in. exists f. intuition.
+  - destruct A as (_ & _ & -> & _). apply andb_prop in J. destruct J as [J _]. apply same_eq in J.
+    split; [|rewrite !in_app_iff; cbn; intuition]. intros p P. apply ends_of_in in P. destruct P as (y & Y & P).
+    apply in_app_or in Y. destruct Y as [Y|[<-|[]]].
+    + right. apply I, ends_of_in. exists y. auto.
+    + destruct P as [->| ->]; [right|left; reflexivity]. apply I, ends_of_in. exists l. intuition.
+Qed.
+
+Lemma grown_laid low ends ts s : grown rule judge low ends ts s ->
+  exists done, laid low done s /\ Permutation done ts.
+Proof.
+  intros G. assert (E := grown_ends _ _ _ _ G).
+  induction G as [|low ends ts s t s' G IH S|ts s x s' G IH A|low f l ts s x s' G IH J A|low f l ts s x s' G IH J A].
+  - exists []. split; [|reflexivity]. split; try (intros; contradiction). intros q. reflexivity.
+  - destruct (IH (grown_ends _ _ _ _ G)) as (done & L & P). exists (t :: done).
+    split; [apply laid_step with s; assumption|]. rewrite P. apply Permutation_cons_append.
+  - destruct (IH (grown_ends _ _ _ _ G)) as (done & L & P). exists done. split; [|assumption].
+    apply (laid_lower [] _ _ _ _ _ _ L A); [reflexivity|apply incl_refl| |]; apply E; cbn; auto.
+  - destruct (IH (grown_ends _ _ _ _ G)) as (done & L & P). exists done. split; [|assumption].
+    apply (laid_lower low _ _ _ _ _ _ L A); [reflexivity|intros p [<-|[]]; cbn; auto| |]; apply E; cbn; auto.
+  - destruct (IH (grown_ends _ _ _ _ G)) as (done & L & P). exists done. split; [|assumption].
+    apply (laid_lower low _ _ _ _ _ _ L A); [symmetry; apply Permutation_cons_append|intros p [<-|[]]; cbn; auto| |];
+      apply E, ends_of_in; exists x; rewrite in_app_iff; cbn; auto.
 Qed.
 End Laid.

@@ -1,6 +1,6 @@
 (* What the checker accepts is right. *)
 Require Import Reals ZArith List Lra Lia Bool.
-Require Import Spec Geometry Rings Check Place Tiling Walk Unique Domain.
+Require Import Spec Geometry Rings Check Place Course Tiling Walk Unique Domain.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -31,42 +31,41 @@ Section Main.
 Variable u : R.
 Hypothesis u_positive : 0 < u.
 
-Lemma all_on_line_spec a b : forall l, all_on_line a b l = true ->
-  forall p, In p l -> orient (place u a) (place u b) (place u p) = 0.
+(* How the points that were seen lie. *)
+Definition line_right (l : line) (ps : list zpoint) : Prop :=
+  match l with
+  | NoPoint => ps = []
+  | OnePlace a => forall p, In p ps -> p = a
+  | OnLine a b => a <> b /\ forall p, In p ps -> orient (place u a) (place u b) (place u p) = 0
+  | OffLine => True
+  end.
+
+Lemma see_right p l ps : line_right l ps -> line_right (see p l) (ps ++ [p]).
 Proof.
-  induction l as [|x l IH]; cbn; intros H p I; [destruct I|].
-  apply andb_prop in H. destruct H as [A B]. destruct I as [<-|I]; [|auto].
-  apply Z.eqb_eq in A. apply (place_orient_zero u u_positive). assumption.
+  destruct l as [|a|a b|]; cbn [see line_right]; [intros ->; cbn; intuition| | |trivial].
+  - intros H. destruct (same a p) eqn:S; cbn [line_right].
+    + apply same_eq in S. subst p. intros x I. apply in_app_or in I. destruct I as [I|[<-|[]]]; auto.
+    + split; [intros ->; rewrite same_refl in S; discriminate|]. intros x I. apply in_app_or in I.
+      destruct (orient_same (place u a) (place u p)). destruct I as [I|[<-|[]]]; [rewrite (H x I)|]; assumption.
+  - intros [N H]. destruct (Z.eqb_spec (zorient a b p) 0) as [Z|]; cbn [line_right]; [|trivial]. split; [assumption|].
+    intros x I. apply in_app_or in I. destruct I as [I|[<-|[]]]; [auto|]. apply (place_orient_zero u u_positive). assumption.
 Qed.
 
-Lemma on_line_spec a : forall l, on_line a l = true ->
-  (forall p, In p l -> p = a) \/
-  exists b, b <> a /\ forall p, In p l -> orient (place u a) (place u b) (place u p) = 0.
+Lemma line_of_right ps : line_right (line_of ps) ps.
 Proof.
-  induction l as [|x l IH]; cbn; intros H; [left; intros p []|].
-  destruct (same a x) eqn:S.
-  - apply same_eq in S. subst x. destruct (IH H) as [L|(b & N & L)].
-    + left. intros p [<-|I]; auto.
-    + right. exists b. split; [assumption|]. intros p [<-|I]; auto.
-      destruct (orient_same (place u a) (place u b)); assumption.
-  - right. exists x. split.
-    + intros ->. rewrite same_refl in S. discriminate.
-    + intros p [<-|I]; [|apply all_on_line_spec with l; assumption].
-      destruct (orient_same (place u a) (place u x)); assumption.
+  induction ps as [|p ps IH] using rev_ind; [reflexivity|]. unfold line_of. rewrite fold_left_app. apply see_right, IH.
 Qed.
 
-Lemma one_line_spec k : match points k with [] => true | a :: r => on_line a r end = true ->
-  on_one_line (real_points u k).
+Lemma one_line_spec k : line_of (points k) <> OffLine -> on_one_line (real_points u k).
 Proof.
-  unfold real_points. destruct (points k) as [|a r]; [intros _ x y z []|]. intros H x y z Hx Hy Hz.
+  unfold real_points. pose proof (line_of_right (points k)) as L. intros N x y z Hx Hy Hz.
   apply in_map_iff in Hx, Hy, Hz. destruct Hx as (x' & <- & Hx), Hy as (y' & <- & Hy), Hz as (z' & <- & Hz).
-  destruct (on_line_spec a r H) as [L|(b & N & L)].
-  - assert (G : forall p, In p (a :: r) -> p = a) by (intros p [<-|I]; auto).
-    rewrite (G x'), (G y'), (G z') by assumption. destruct (orient_same (place u a) (place u a)); assumption.
-  - assert (G : forall p, In p (a :: r) -> orient (place u a) (place u b) (place u p) = 0).
-    { intros p [<-|I]; auto. destruct (orient_same (place u a) (place u b)); assumption. }
-    apply parallel with (place u a) (place u b); auto.
-    intros K. apply N. apply (place_injective u u_positive) in K. auto.
+  destruct (line_of (points k)) as [|a|a b|]; cbn [line_right] in L.
+  - rewrite L in Hx. destruct Hx.
+  - rewrite (L x'), (L y'), (L z') by assumption. destruct (orient_same (place u a) (place u a)); assumption.
+  - destruct L as [D L]. apply parallel with (place u a) (place u b); auto.
+    intros K. apply D. apply (place_injective u u_positive) in K. auto.
+  - congruence.
 Qed.
 
 (* The level of any right triangulation. *)
@@ -75,7 +74,7 @@ Theorem accepted_is_constrained_delaunay rule k : check rule k = true ->
 Proof.
   intros H. destruct (triangles k) eqn:T.
   - right. split; [|unfold real_triangles; rewrite T; reflexivity].
-    apply one_line_spec. unfold check in H. rewrite T in H. assumption.
+    apply one_line_spec. apply check_empty with rule; assumption.
   - left. apply (tiled_triangulation rule). apply check_tiled; [assumption..|]. rewrite T. discriminate.
 Qed.
 

@@ -33,6 +33,22 @@ intros; apply compare_points_eq; assumption. Qed.
 Lemma same_refl a : same a a = true.
 Proof. unfold same, compare_points. rewrite !Z.compare_refl. reflexivity. Qed.
 
+Lemma before_spec a b : before a b = true <-> (zx a < zx b \/ (zx a = zx b /\ zy a < zy b))%Z.
+Proof.
+  unfold before, compare_points. destruct (Z.compare_spec (zx a) (zx b)), (Z.compare_spec (zy a) (zy b));
+    split; intros; try discriminate; try reflexivity; lia.
+Qed.
+
+Lemma compare_points_lt a b c : compare_points a b = Lt -> compare_points b c = Lt -> compare_points a c = Lt.
+Proof.
+  assert (E : forall a b, compare_points a b = Lt <-> before a b = true).
+  { intros x y. unfold before. destruct (compare_points x y); split; congruence. }
+  rewrite !E, !before_spec. lia.
+Qed.
+
+Lemma compare_points_same a : compare_points a a <> Lt.
+Proof. unfold compare_points. rewrite !Z.compare_refl. discriminate. Qed.
+
 Section Place.
 Variable u : R.
 Hypothesis u_positive : 0 < u.

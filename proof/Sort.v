@@ -78,6 +78,24 @@ Definition all_ascending (l : list A) : bool := match l with [] => true | x :: r
 Definition same_set_once (l m : list A) : bool :=
   let o := sort m in all_ascending o && equal (distinct (sort l) []) (rev_append o []).
 
+(* Takes off two lists what both have. Lists come from the last item to the first. *)
+Fixpoint apart (l m left right : list A) : list A * list A :=
+  match l with
+  | [] => (left, rev_append m right)
+  | x :: l' =>
+    (fix beside (m right : list A) : list A * list A :=
+      match m with
+      | [] => (rev_append l left, right)
+      | y :: m' =>
+        match compare x y with
+        | Eq => apart l' m' left right
+        | Gt => apart l' m (x :: left) right
+        | Lt => beside m' (y :: right)
+        end
+      end) m right
+  end.
+Definition cancel (l m : list A) : list A * list A := apart (distinct (sort l) []) (distinct (sort m) []) [] [].
+
 Lemma merge_permutes up : forall n l1 l2 acc H, length l1 + length l2 <= n ->
   Permutation (merge up l1 l2 acc H) (acc ++ l1 ++ l2).
 Proof.
@@ -162,6 +180,31 @@ Proof.
   intros H x. apply andb_prop in H. destruct H as [_ H]. apply equal_eq in H.
   pose proof (distinct_in (sort l) [] x) as L. rewrite H, rev_append_rev, app_nil_r, <- in_rev, !sort_in in L.
   cbn in L. tauto.
+Qed.
+
+Lemma apart_in : forall l m left right l' m', apart l m left right = (l', m') -> exists both, forall x,
+  (In x l \/ In x left <-> In x l' \/ In x both) /\ (In x m \/ In x right <-> In x m' \/ In x both).
+Proof.
+  assert (R : forall (l acc : list A) x, In x (rev_append l acc) <-> In x l \/ In x acc).
+  { intros l acc x. rewrite rev_append_rev, in_app_iff, <- in_rev. reflexivity. }
+  induction l as [|x l IH]; intros m left right l' m'.
+  - cbn. intros H. injection H as <- <-. exists []. intros y. rewrite R. cbn. tauto.
+  - revert right. induction m as [|y m IM]; intros right; cbn [apart].
+    + intros H. injection H as <- <-. exists []. intros z. rewrite R. cbn. tauto.
+    + destruct (compare x y) eqn:C; intros H.
+      * apply compare_eq in C. subst y. destruct (IH _ _ _ _ _ H) as [both B]. exists (x :: both). intros z.
+        destruct (B z) as [L M]. clear IH IM B. cbn [In]. split; [clear M|clear L]; tauto.
+      * destruct (IM _ H) as [both B]. exists both. intros z. destruct (B z) as [L M]. clear IH IM B.
+        split; [exact L|clear L]. cbn [In] in *. tauto.
+      * destruct (IH _ _ _ _ _ H) as [both B]. exists both. intros z. destruct (B z) as [L M]. clear IH IM B.
+        split; [clear M|exact M]. cbn [In] in *. tauto.
+Qed.
+
+Lemma cancel_in l m l' m' : cancel l m = (l', m') -> exists both, forall x,
+  (In x l <-> In x l' \/ In x both) /\ (In x m <-> In x m' \/ In x both).
+Proof.
+  intros H. destruct (apart_in _ _ _ _ _ _ H) as [both B]. exists both. intros x. destruct (B x) as [L M].
+  rewrite distinct_in, sort_in in L, M. cbn [In] in L, M. clear B H. split; [clear M|clear L]; tauto.
 Qed.
 
 Hypothesis compare_lt : forall x y z, compare x y = Lt -> compare y z = Lt -> compare x z = Lt.

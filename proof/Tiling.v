@@ -1,6 +1,6 @@
 (* What the checker sees of triangles that it accepts: a list of facts about real points. All else follows from them. *)
 Require Import Reals ZArith List Lra Lia Bool Permutation.
-Require Import Spec Geometry Count Sort Rings Check Place Border Laid Pieces.
+Require Import Spec Geometry Count Sort Rings Check Place Border Laid Pieces Course.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -26,54 +26,6 @@ Record tiled (rule : bool) (P : list point) (E : list edge) (T : list triangle) 
 }.
 
 (* Lists of sides. *)
-Lemma sides_of_ends : forall l a acc x, In x (sides_of a l acc) ->
-  In x acc \/ (In (left_end x) (a :: l) /\ In (right_end x) (a :: l)).
-Proof.
-  induction l as [|b r IH]; cbn; intros a acc x H; [auto|].
-  destruct (IH _ _ _ H) as [[<-|I]|[A B]]; cbn in *; auto; right; split; tauto.
-Qed.
-
-Lemma sides_of_all : forall l a acc, incl acc (sides_of a l acc) /\
-  (l <> [] -> forall p, In p (a :: l) -> exists x, In x (sides_of a l acc) /\ (p = left_end x \/ p = right_end x)).
-Proof.
-  induction l as [|b r IH]; cbn; intros a acc.
-  - split; [apply incl_refl|congruence].
-  - destruct (IH b (ZSide a b :: acc)) as [I C]. split.
-    + intros x Hx. apply I. right; assumption.
-    + intros _ p [<-|H].
-      * exists (ZSide a b). split; [apply I; left; reflexivity|auto].
-      * destruct r as [|c r].
-        -- destruct H as [<-|[]]. exists (ZSide a b). split; [apply I; left; reflexivity|auto].
-        -- apply C; [discriminate|assumption].
-Qed.
-
-Lemma low_sides_ends l x : In x (low_sides l) -> In (left_end x) l /\ In (right_end x) l.
-Proof.
-  destruct l as [|a r]; cbn; [easy|]. rewrite rev_append_rev, app_nil_r, <- in_rev. intros H.
-  destruct (sides_of_ends _ _ _ _ H) as [[]|]; assumption.
-Qed.
-
-Lemma low_sides_all l p : low_sides l <> [] -> In p l -> exists x, In x (low_sides l) /\
-  (p = left_end x \/ p = right_end x).
-Proof.
-  destruct l as [|a r]; [easy|]. intros N I. destruct r as [|b r]; [exfalso; apply N; reflexivity|].
-  destruct (proj2 (sides_of_all (b :: r) a []) ltac:(discriminate) p I) as [x [A B]].
-  exists x. split; [|assumption]. unfold low_sides. rewrite rev_append_rev, app_nil_r. apply -> in_rev. assumption.
-Qed.
-
-Definition first_item (s : zside) : item := Item s None false 0 outside.
-
-Lemma start_front l : rev_append (fold_left (fun acc s => Item s None false 0 outside :: acc) l []) [] = map first_item l.
-Proof.
-  rewrite rev_append_rev, app_nil_r.
-  assert (G : forall l acc, fold_left (fun acc s => Item s None false 0 outside :: acc) l acc = rev (map first_item l) ++ acc).
-  { clear. induction l as [|s l IH]; intros acc; cbn; [reflexivity|]. rewrite IH, <- app_assoc. reflexivity. }
-  rewrite G, app_nil_r. apply rev_involutive.
-Qed.
-
-Lemma map_items_map {A} (f : item -> A) : forall l acc, map_items f l acc = rev (map f l) ++ acc.
-Proof. induction l as [|i l IH]; intros acc; cbn; [reflexivity|]. rewrite IH, <- app_assoc. reflexivity. Qed.
-
 Lemma marked_sides_in : forall l acc x, In x (marked_sides l acc) ->
   In x acc \/ exists i, In i l /\ marked i = true /\ x = item_side i.
 Proof.
@@ -95,15 +47,6 @@ Proof.
   destruct (below i) eqn:B; [|discriminate]. destruct J as [<-|J]; eauto.
 Qed.
 
-Lemma border_inv low high : border low high = true -> exists s l t h, low = s :: l /\ high = t :: h /\
-  chain 1 s l = true /\ chain (-1) t h = true /\ left_end s = left_end t /\ last_end s l = last_end t h.
-Proof.
-  destruct low as [|s l], high as [|t h]; cbn; try discriminate. intros H.
-  apply andb_prop in H. destruct H as [H E]. apply andb_prop in H. destruct H as [H D].
-  apply andb_prop in H. destruct H as [B C]. apply same_eq in D, E.
-  exists s, l, t, h. auto 10.
-Qed.
-
 Section Tiling.
 Variable u : R.
 Hypothesis u_positive : 0 < u.
@@ -111,30 +54,6 @@ Hypothesis u_positive : 0 < u.
 Notation tri := (place_triangle u).
 Notation left_of s := (place u (left_end s)).
 Notation right_of s := (place u (right_end s)).
-
-Lemma laid_start rule l low : low = low_sides l -> low <> [] -> (forall x, In x low -> lex (left_of x) (right_of x)) ->
-  laid u rule low l [] (State [] (map first_item low) l [] []).
-Proof.
-  intros E N L.
-  assert (I : forall i, In i (map first_item low) -> exists s, In s low /\ i = first_item s).
-  { intros i H. apply in_map_iff in H. destruct H as (s & <- & H). exists s. auto. }
-  split; unfold front; cbn [passed ahead brought used rises app].
-  - intros t [].
-  - intros q. cbn. clear. induction low as [|s r IH]; [reflexivity|]. cbn. unfold total in *. rewrite IH. reflexivity.
-  - intros i H. destruct (I i H) as (s & S & ->). apply L; assumption.
-  - intros i H. destruct (I i H) as (s & S & ->). cbn; auto.
-  - intros t a b c [].
-  - intros x [].
-  - intros x H. left. exists (first_item x). split; [|auto]. apply in_map. assumption.
-  - auto.
-  - intros i H. destruct (I i H) as (s & S & ->). cbn. apply low_sides_ends. subst; assumption.
-  - intros t [].
-  - intros k m w _ H p Hp. auto.
-  - intros k m w _ H p Hp. rewrite E in N.
-    destruct (low_sides_all l p N Hp) as (x & Hx & D). rewrite <- E in Hx.
-    destruct (H (first_item x) (in_map first_item low x Hx)) as [A B]. cbn in A, B.
-    destruct D as [-> | ->]; assumption.
-Qed.
 
 Definition edge_function (s : R) (a b : point) : R * R * R :=
   (s * (Y a - Y b), s * (X b - X a), s * ((Y b - Y a) * X a - (X b - X a) * Y a)).
@@ -154,50 +73,15 @@ Proof.
   destruct S as [-> | ->]; lra.
 Qed.
 
-(* What the checker has looked at when it accepts. *)
-Lemma check_inv rule k : check rule k = true -> triangles k <> [] ->
-  exists s ps, let fr := rev_append (passed s) (ahead s) in let low := low_sides (lower k) in
-    let judge := judge_of (domain k) in
-    lay rule judge (triangles k) (State [] (map first_item low) (lower k) [] []) = Some s /\
-    pieces (edges k) [] = Some ps /\ all_covered fr = true /\ border low (map item_side fr) = true /\
-    same_set_once compare_points (points k) (brought s) = true /\
-    same_set compare_sides ps (marked_sides fr (used s)) = true /\
-    values_right (domain k) (edges k) (last_rises judge fr (rises s)) = true.
-Proof.
-  unfold check. intros H N. destruct (triangles k) as [|t0 ts] eqn:TS; [congruence|clear N]. rewrite <- TS in *.
-  rewrite start_front in H.
-  destruct (lay rule _ (triangles k) _) as [s|]; [|discriminate].
-  destruct (pieces (edges k) []) as [ps|]; [|discriminate].
-  repeat match goal with H : _ && _ = true |- _ => apply andb_prop in H; destruct H end.
-  match goal with B : border _ _ = true |- _ =>
-    rewrite map_items_map, app_nil_r, rev_append_rev, app_nil_r, rev_involutive in B end.
-  exists s, ps. cbn zeta. repeat (split; [assumption || reflexivity|]). assumption.
-Qed.
-
-(* The triangles as they lie at the end. *)
-Lemma lay_laid rule judge k s : border (low_sides (lower k)) (map item_side (rev_append (passed s) (ahead s))) = true ->
-  lay rule judge (triangles k) (State [] (map first_item (low_sides (lower k))) (lower k) [] []) = Some s ->
-  exists done, laid u rule (low_sides (lower k)) (lower k) done s /\ Permutation done (triangles k).
-Proof.
-  intros B L. apply border_inv in B. destruct B as (sl & l & th & h & EL & _ & CL & _).
-  pose proof (chain_lex u u_positive _ _ _ CL) as LexL. rewrite <- EL in LexL.
-  assert (ST : laid u rule (low_sides (lower k)) (lower k) [] (State [] (map first_item (low_sides (lower k))) (lower
-    k) [] [])).
-  { apply laid_start; auto. rewrite EL; discriminate. }
-  destruct (laid_lay u u_positive rule judge _ (lower k) _ _ _ _ ST L) as (done & LD & PD).
-  rewrite app_nil_r in PD. exists done. auto.
-Qed.
-
 Theorem check_tiled rule k : check rule k = true -> triangles k <> [] ->
   tiled rule (map (place u) (points k)) (map (place_edge u) (edges k)) (map tri (triangles k)).
 Proof.
-  intros H N. destruct (check_inv rule k H N) as (s & ps & L & PS & AC & B & VS & KS & _). cbn zeta in *.
-  destruct (lay_laid rule _ k s B L) as (done & LD & PD).
-  set (low := low_sides (lower k)) in *.
+  intros H N. destruct (check_inv rule k H N) as (low & sl & l & th & h & s & ps & ends & C).
+  destruct C as [GR EL CL EH CH E1 E2 AC PS PB KM _ _].
+  destruct (grown_laid u u_positive rule _ _ _ _ _ GR) as (done & LD & PD).
   set (fr := rev_append (passed s) (ahead s)) in *.
   assert (FR : forall i, In i fr <-> In i (front s)).
   { intros i. unfold fr, front. rewrite rev_append_rev, !in_app_iff, <- in_rev. tauto. }
-  apply border_inv in B. destruct B as (sl & l & th & h & EL & EH & CL & CH & E1 & E2).
   pose proof (chain_lex u u_positive _ _ _ CL) as LexL. rewrite <- EL in LexL.
   assert (TD : forall t, In t (triangles k) <-> In t done).
   { intros t. split; apply Permutation_in; [symmetry|]; assumption. }
@@ -206,12 +90,10 @@ Proof.
     - split; [apply TD|]; auto.
     - split; [|apply TD]; auto. }
   assert (IT : forall z, In z done -> In (tri z) (map tri (triangles k))) by (intros z Z; apply TM; exists z; auto).
-  pose proof (same_set_once_in compare_points compare_points_eq _ _ VS) as PB.
   assert (PM : forall p, In p (map (place u) (points k)) <-> exists z, In z (brought s) /\ p = place u z).
   { intros p. rewrite in_map_iff. split; intros (z & A & Z); exists z.
     - split; [apply PB|]; auto.
     - split; [|apply PB]; auto. }
-  pose proof (same_set_in compare_sides compare_sides_eq _ _ KS) as KM.
   destruct (pieces_spec u u_positive _ _ _ PS) as (_ & PO & PC).
   assert (HI : forall x, In x (th :: h) <-> exists i, In i (front s) /\ item_side i = x).
   { intros x. rewrite <- EH, in_map_iff. split; intros (i & I & J); exists i.
@@ -220,7 +102,7 @@ Proof.
   assert (COUNT : forall q, (total (count q) (map tri (triangles k))
       + total (fun x => above (left_of x) (right_of x) q) (th :: h)
       = total (fun x => above (left_of x) (right_of x) q) (sl :: l))%Z).
-  { intros q. rewrite <- EL, <- (l_count _ _ _ _ _ _ LD q), <- EH. f_equal.
+  { intros q. rewrite <- EL, <- (l_count _ _ _ _ _ LD q), <- EH. f_equal.
     - rewrite <- (total_permutation _ _ _ (Permutation_sym PD)). clear.
       induction (triangles k) as [|t r IH]; [reflexivity|]. cbn [map]. rewrite !total_cons, IH. reflexivity.
     - assert (PF : Permutation (front s) fr).
@@ -233,11 +115,10 @@ Proof.
   { intros x Hx p Hp. apply PM in Hp. destruct Hp as (z & Z & ->).
     rewrite orient_affine.
     assert (LX : lex (left_of x) (right_of x)) by (apply LexL; rewrite EL; assumption).
-    apply (l_up _ _ _ _ _ _ LD); try assumption.
+    apply (l_up _ _ _ _ _ LD); try assumption.
     - unfold lex in LX; lra.
     - intros p Hp. rewrite <- orient_affine.
-      destruct (low_sides_all (lower k) p) as (y & Hy & D); [fold low; rewrite EL; discriminate|assumption|].
-      fold low in Hy. rewrite EL in Hy.
+      apply ends_of_in in Hp. destruct Hp as (y & Hy & D). rewrite EL in Hy.
       destruct (chain_supports u u_positive 1 (or_introl eq_refl) _ _ CL x y Hx Hy) as [A C].
       destruct D as [-> | ->]; lra. }
   pose proof (chain_lex u u_positive _ _ _ CH) as LexH.
@@ -248,7 +129,7 @@ Proof.
     replace (- orient (left_of x) (right_of x) (place u z)) with (-1 * orient (left_of x) (right_of x) (place u z))
       by ring.
     rewrite <- edge_value. unfold value_at, edge_function.
-    apply (l_down _ _ _ _ _ _ LD); try assumption.
+    apply (l_down _ _ _ _ _ LD); try assumption.
     - unfold lex in LX; lra.
     - intros i Hi.
       pose proof (edge_value (-1) (left_of x) (right_of x)) as EV. unfold value_at, edge_function in EV. rewrite !EV.
@@ -258,38 +139,34 @@ Proof.
   assert (XP : forall p, In p (map (place u) (points k)) -> x0 <= X p <= x1).
   { intros p Hp. apply PM in Hp. destruct Hp as (z & Z & ->). split.
     - assert (0 <= affine 1 0 (- x0) (place u z)); [|unfold affine in *; lra].
-      apply (l_up _ _ _ _ _ _ LD); try assumption; [lra|].
-      intros p Hp. destruct (low_sides_all (lower k) p) as (y & Hy & D); [fold low; rewrite EL;
-        discriminate|assumption|].
-      fold low in Hy. rewrite EL in Hy. pose proof (chain_range u u_positive _ _ _ CL y Hy) as R. fold x0 in R.
+      apply (l_up _ _ _ _ _ LD); try assumption; [lra|].
+      intros p Hp. apply ends_of_in in Hp. destruct Hp as (y & Hy & D). rewrite EL in Hy. pose proof (chain_range u u_positive _ _ _ CL y Hy) as R. fold x0 in R.
       unfold affine. destruct D as [-> | ->]; lra.
     - assert (0 <= affine (-1) 0 x1 (place u z)); [|unfold affine in *; lra].
-      apply (l_up _ _ _ _ _ _ LD); try assumption; [lra|].
-      intros p Hp. destruct (low_sides_all (lower k) p) as (y & Hy & D); [fold low; rewrite EL;
-        discriminate|assumption|].
-      fold low in Hy. rewrite EL in Hy. pose proof (chain_range u u_positive _ _ _ CL y Hy) as R. fold x1 in R.
+      apply (l_up _ _ _ _ _ LD); try assumption; [lra|].
+      intros p Hp. apply ends_of_in in Hp. destruct Hp as (y & Hy & D). rewrite EL in Hy. pose proof (chain_range u u_positive _ _ _ CL y Hy) as R. fold x1 in R.
       unfold affine. destruct D as [-> | ->]; lra. }
   assert (KU : forall x, In x (marked_sides fr (used s)) -> exists z a b, In z done /\ side a b (tri z) /\
        ((a = left_of x /\ b = right_of x) \/ (a = right_of x /\ b = left_of x))).
   { intros x Hx. destruct (marked_sides_in _ _ _ Hx) as [I|(i & I & M & ->)].
-    - destruct (l_used _ _ _ _ _ _ LD x I) as (t & c & Z & T).
+    - destruct (l_used _ _ _ _ _ LD x I) as (t & c & Z & T).
       exists t, (left_of x), (right_of x). split; [assumption|]. split; [apply side_turned; exists c; assumption|auto].
     - pose proof (all_covered_in _ AC i I) as [d BD]. apply FR in I.
-      pose proof (l_below _ _ _ _ _ _ LD i I) as T. rewrite BD in T. destruct T as (t & Z & T).
+      pose proof (l_below _ _ _ _ _ LD i I) as T. rewrite BD in T. destruct T as (t & Z & T).
       do 3 eexists. split; [exact Z|]. split; [apply side_turned; eexists; exact T|]. right; auto. }
   assert (KE : forall x, In x (used s) -> exists a b, In (a, b) (map (place_edge u) (edges k)) /\
      on_segment (left_of x) a b /\ on_segment (right_of x) a b).
   { intros x Hx. apply (marked_sides_incl fr) in Hx. apply KM in Hx. destruct (PO x Hx) as [[]|]; assumption. }
   split.
-  - intros t Ht. apply TM in Ht. destruct Ht as (z & Z & ->). apply (l_positive _ _ _ _ _ _ LD). assumption.
+  - intros t Ht. apply TM in Ht. destruct Ht as (z & Z & ->). apply (l_positive _ _ _ _ _ LD). assumption.
   - destruct (triangles k) as [|t0 ts]; [congruence|]. exists (tri t0). left; reflexivity.
   - intros t p Ht C. apply TM in Ht. destruct Ht as (z & Z & ->). apply PM.
-    destruct (l_corners _ _ _ _ _ _ LD z Z) as (A & B & D). destruct C as [->|[->| ->]];
+    destruct (l_corners _ _ _ _ _ LD z Z) as (A & B & D). destruct C as [->|[->| ->]];
       [exists (corner_a z) | exists (corner_b z) | exists (corner_c z)]; auto.
   - intros p Hp. apply PM in Hp. destruct Hp as (z & Z & ->).
-    destruct (l_brought _ _ _ _ _ _ LD z Z) as [I|(t & I & C)]; [|exists (tri t); auto].
-    destruct (low_sides_all (lower k) z) as (y & Hy & D); [fold low; rewrite EL; discriminate|assumption|].
-    destruct (l_low _ _ _ _ _ _ LD y Hy) as [(i & J & _ & B)|(t & c & J & T)].
+    destruct (l_brought _ _ _ _ _ LD z Z) as [I|(t & I & C)]; [|exists (tri t); auto].
+    apply ends_of_in in I. destruct I as (y & Hy & D).
+    destruct (l_low _ _ _ _ _ LD y Hy) as [(i & J & _ & B)|(t & c & J & T)].
     + apply FR in J. destruct (all_covered_in _ AC i J) as [d BD]. congruence.
     + exists (tri t). split; [auto|]. apply (turned_corner _ _ _ _ _ T). destruct D as [-> | ->]; auto.
   - intros q. pose proof (COUNT q). pose proof (chain_above_one u u_positive _ q _ _ CL).
@@ -319,7 +196,7 @@ Proof.
       * pose proof (G _ (or_introl eq_refl)) as G0. pose proof (G _ (or_intror (or_introl eq_refl))) as G1.
         unfold value_at, affine in G0, G1. fold x0 x1. lra.
   - intros t a b c Ht T. apply TM in Ht. destruct Ht as (z & Z & ->).
-    destruct (l_sides _ _ _ _ _ _ LD z a b c Z T) as [(i & d & I & B & -> & -> & ->)|[(x & I & ->
+    destruct (l_sides _ _ _ _ _ LD z a b c Z T) as [(i & d & I & B & -> & -> & ->)|[(x & I & ->
       & ->)|(t' & d & I & T' & F)]].
     + left. intros p Hp. apply HI in I || idtac. assert (J : In (item_side i) (th :: h)) by (apply HI; exists i; auto).
       pose proof (HP _ J p Hp). rewrite orient_swap. lra.

@@ -14,22 +14,6 @@ Require Import Geometry Count Sort Rings Check Place Laid.
 Import ListNotations.
 Open Scope Z_scope.
 
-Lemma before_spec a b : before a b = true <-> zx a < zx b \/ (zx a = zx b /\ zy a < zy b).
-Proof.
-  unfold before, compare_points. destruct (Z.compare_spec (zx a) (zx b)), (Z.compare_spec (zy a) (zy b));
-    split; intros; try discriminate; try reflexivity; lia.
-Qed.
-
-Lemma compare_points_lt a b c : compare_points a b = Lt -> compare_points b c = Lt -> compare_points a c = Lt.
-Proof.
-  assert (E : forall a b, compare_points a b = Lt <-> before a b = true).
-  { intros x y. unfold before. destruct (compare_points x y); split; congruence. }
-  rewrite !E, !before_spec. lia.
-Qed.
-
-Lemma compare_points_same a : compare_points a a <> Lt.
-Proof. unfold compare_points. rewrite !Z.compare_refl. discriminate. Qed.
-
 Definition is_odd (F : zpoint -> zpoint -> Z) : Prop := forall a b, F b a = - F a b.
 Definition along (F : zpoint -> zpoint -> Z) (s : zside) : Z := F (left_end s) (right_end s).
 Definition turn (F : zpoint -> zpoint -> Z) (t : ztriangle) : Z :=
@@ -54,6 +38,9 @@ Qed.
 
 Lemma total_map {A B} (f : B -> Z) (g : A -> B) l : total f (map g l) = total (fun x => f (g x)) l.
 Proof. induction l as [|x l IH]; [reflexivity|]. cbn [map]. rewrite !total_cons, IH. reflexivity. Qed.
+
+Lemma total_rev_append {A} (f : A -> Z) l acc : total f (rev_append l acc) = total f l + total f acc.
+Proof. rewrite rev_append_rev, total_app, <- (total_permutation _ _ _ (Permutation_rev l)). reflexivity. Qed.
 
 Lemma total_even {A} (f g : A -> Z) l : (forall x, In x l -> Z.Even (f x - g x)) -> Z.Even (total f l - total g l).
 Proof.
@@ -80,13 +67,13 @@ Proof.
   - ring.
 Qed.
 
-Lemma lay_value rule : forall ts s s', lay rule None ts s = Some s' ->
-  total (fun t => value t * turn F t) ts + seen s' = seen s.
+Lemma grown_value rule low ends ts s : grown rule None low ends ts s -> total (fun t => value t * turn F t) ts + seen s = 0.
 Proof.
-  induction ts as [|t ts IH]; cbn [lay]; intros s s' H.
-  - injection H as <-. reflexivity.
-  - destruct (step rule None t s) as [s1|] eqn:S; [|discriminate]. rewrite total_cons.
-    apply step_value in S. apply IH in H. lia.
+  assert (A : forall x ps s s', adds x ps s s' -> seen s' = seen s).
+  { intros x ps s1 s2 (_ & P & _ & _ & R). unfold seen. rewrite R, (total_permutation _ _ _ P), total_cons. reflexivity. }
+  induction 1 as [|? ? ? ? ? ? _ IH S| ? ? ? ? _ IH S| ? ? ? ? ? ? ? _ IH _ S| ? ? ? ? ? ? ? _ IH _ S];
+    [reflexivity| |rewrite (A _ _ _ _ S); assumption..].
+  apply step_value in S. rewrite total_app, total_cons. cbn [total fold_right] in *. unfold total in *. cbn [fold_right]. lia.
 Qed.
 End Compared.
 
@@ -114,22 +101,21 @@ Definition defect : Type := zside * (Z -> Z).
 Definition from_left (x : defect) : zpoint := left_end (fst x).
 Definition goes_right (x : defect) : Prop := before (left_end (fst x)) (right_end (fst x)) = true.
 
-Record ringed (m : table) (done : list (ztriangle * around)) (N : list defect) (s : state) : Prop := {
+Record ringed (m : table) (done : list (ztriangle * around)) (N : list defect) (rest : list zpoint) (s : state) : Prop := {
   r_done : forall x, In x done -> good m (snd x) /\ is_covered (snd x) = negb (Z.eqb (value (fst x)) 0);
   r_front : forall i, In i (front s) ->
     good m (beneath i) /\ before (left_end (item_side i)) (right_end (item_side i)) = true;
   r_defects : forall x, In x N -> goes_right x;
-  r_ends : exists rest,
-    Permutation (map (fun i => left_end (item_side i)) (front s) ++ map from_left N ++ rest) (brought s);
+  r_ends : Permutation (map (fun i => left_end (item_side i)) (front s) ++ map from_left N ++ rest) (brought s);
   r_sum : forall n F, is_odd F -> Z.Even (total (fun x => parity n (snd x) * turn F (fst x)) done
     + total (fun i => parity n (beneath i) * along F (item_side i)) (front s)
     - total (weigh (along F) n) (rises s) - total (fun x : defect => snd x n * along F (fst x)) N)
 }.
 
-Lemma ringed_step rule m done N t s s' : ringed m done N s -> step rule (Some m) t s = Some s' ->
-  exists w N', ringed m ((t, w) :: done) N' s'.
+Lemma ringed_step rule m done N rest t s s' : ringed m done N rest s -> step rule (Some m) t s = Some s' ->
+  exists w N', ringed m ((t, w) :: done) N' rest s'.
 Proof.
-  intros [D Fr Df [rest En] Su] E. apply step_cases in E. cbn zeta in E. destruct E as (_ & i & Ei & _ & W & E).
+  intros [D Fr Df En Su] E. apply step_cases in E. cbn zeta in E. destruct E as (_ & i & Ei & _ & W & E).
   set (w := enter (Some m) (rings_ab t) i) in *. exists w.
   assert (Told : is_covered w = negb (Z.eqb (value t) 0)) by (apply Bool.eqb_prop in W; exact W).
   assert (Par : forall n, Z.Even (parity n w - parity n (beneath i) - times n (rings_ab t)))
@@ -143,7 +129,7 @@ Proof.
     + intros x Hx. apply (Permutation_in _ P') in Hx. destruct Hx as [<-|[<-|Hx]]; cbn; auto.
       apply Fr. apply (Permutation_in _ (Permutation_sym P)). right; assumption.
     + assumption.
-    + exists rest. rewrite Br, P'. rewrite P in En. cbn [map app item_side left_end] in *. rewrite Ei in En.
+    + rewrite Br, P'. rewrite P in En. cbn [map app item_side left_end] in *. rewrite Ei in En.
       cbn [left_end] in En. rewrite <- En. cbn [app]. apply perm_swap.
     + intros n F O. destruct (Su n F O) as [z Z]. destruct (Par n) as [y Y].
       exists (z + y * F (corner_a t) (corner_b t)). rewrite Z.mul_add_distr_l, <- Z.
@@ -164,7 +150,7 @@ Proof.
         rewrite before_spec in *. lia.
       * apply Fr. apply (Permutation_in _ (Permutation_sym P)). right; right; assumption.
     + intros x [<-|Hx]; [exact Bj|apply Df; assumption].
-    + exists rest. rewrite Br, P'. rewrite P in En. cbn [map app item_side left_end] in *. rewrite Ei in En.
+    + rewrite Br, P'. rewrite P in En. cbn [map app item_side left_end] in *. rewrite Ei in En.
       cbn [left_end] in En. unfold from_left at 1. cbn [fst]. rewrite <- En. constructor.
       symmetry. apply Permutation_middle.
     + intros n F O. destruct (Su n F O) as [z Z]. destruct (Par n) as [y Y].
@@ -176,15 +162,31 @@ Proof.
       replace (parity n w) with (parity n (beneath i) + times n (rings_ab t) + 2 * y) by lia. ring.
 Qed.
 
-Lemma ringed_lay rule m : forall ts done N s s', ringed m done N s -> lay rule (Some m) ts s = Some s' ->
-  exists done' N', ringed m done' N' s' /\ Permutation (map fst done') (ts ++ map fst done).
+Lemma ringed_lower m done N rest rest' x ps s s' : ringed m done N rest s -> adds x ps s s' ->
+  Permutation (left_end x :: rest') (ps ++ rest) -> ringed m done N rest' s'.
 Proof.
-  induction ts as [|t ts IH]; cbn [lay app]; intros done N s s' H L.
-  - injection L as <-. exists done, N. auto.
-  - destruct (step rule (Some m) t s) as [s1|] eqn:S; [|discriminate].
-    apply (ringed_step rule m done N t s s1 H) in S. destruct S as (w & N1 & H1).
-    destruct (IH _ _ _ _ H1 L) as (d & N2 & H2 & P). exists d, N2. split; [assumption|].
-    rewrite P. cbn [map fst]. symmetry. apply Permutation_middle.
+  intros [D Fr Df En Su] (B & P & Br & _ & Ri) E. split; try assumption.
+  - intros i Hi. apply (Permutation_in _ P) in Hi. destruct Hi as [<-|Hi]; [|auto]. split; [apply outside_good|exact B].
+  - rewrite Br, P, <- En. cbn [map app first_item item_side].
+    rewrite (Permutation_app_comm ps), <- !app_assoc, (Permutation_app_comm rest), <- E, <- !Permutation_middle. reflexivity.
+  - intros n F O. rewrite Ri, (total_permutation _ _ _ P), total_cons.
+    assert (Zero : parity n (beneath (first_item x)) = 0); [|rewrite Zero; apply Su; assumption].
+    unfold parity, has. cbn [first_item beneath outside odd]. rewrite PM.mem_find, PM.gempty. reflexivity.
+Qed.
+
+Lemma grown_ringed rule m low ends ts s : grown rule (Some m) low ends ts s ->
+  exists done N, ringed m done N match ends with Some (_, l) => [right_end l] | None => [] end s /\
+    Permutation (map fst done) ts.
+Proof.
+  induction 1 as [|low ends ts s t s' _ (done & N & R & P) S|ts s x s' _ (done & N & R & P) A
+    |low f l ts s x s' _ (done & N & R & P) J A|low f l ts s x s' _ (done & N & R & P) J A].
+  - exists [], []. split; [|reflexivity]. split; try (intros; contradiction); [reflexivity|]. intros n F _. exists 0. reflexivity.
+  - apply (ringed_step _ _ _ _ _ _ _ _ R) in S. destruct S as (w & N' & R'). exists ((t, w) :: done), N'. split; [assumption|].
+    cbn [map fst]. rewrite P. apply Permutation_cons_append.
+  - exists done, N. split; [|assumption]. apply (ringed_lower _ _ _ _ _ _ _ _ _ R A). reflexivity.
+  - exists done, N. split; [|assumption]. apply (ringed_lower _ _ _ _ _ _ _ _ _ R A). reflexivity.
+  - exists done, N. split; [|assumption]. apply (ringed_lower _ _ _ _ _ _ _ _ _ R A).
+    apply andb_prop in J. destruct J as [J _]. apply same_eq in J. rewrite J. apply perm_swap.
 Qed.
 
 Lemma first_defect : forall M : list defect, M <> [] ->
@@ -362,20 +364,21 @@ Proof.
 Qed.
 
 (* What the checker says of rings, once all is laid. *)
-Theorem rings_right m done N s fr es ps : ringed m done N s -> Permutation (front s) fr -> NoDup (brought s) ->
-  pieces es [] = Some ps -> all_balanced Z.even (falls edge_ring es (last_rises (Some m) fr (rises s))) = true ->
+Theorem rings_right m done N rest s fr es ps : ringed m done N rest s -> Permutation (front s) fr -> NoDup (brought s) ->
+  pieces es [] = Some ps -> all_balanced Z.even (rev_append (falls edge_ring es []) (last_rises (Some m) fr (rises s))) = true ->
   all_balanced Z.even (ends es []) = true ->
   forall n F, is_odd F -> adds_up F ->
     Z.Even (total (fun x => parity n (snd x) * turn F (fst x)) done - round_ring F edge_ring n es).
 Proof.
-  intros [_ Fr Df [rest En] Su] P D PS B C n.
+  intros [_ Fr Df En Su] P D PS B C n.
   set (M := (map (fun i => (item_side i, fun n => - parity n (beneath i) - times n (last_rings i))) (front s)
     ++ N : list defect)%list).
   assert (E : forall F, is_odd F -> adds_up F ->
     Z.Even (total (fun x => parity n (snd x) * turn F (fst x)) done - round_ring F edge_ring n es
       - total (fun x : defect => snd x n * along F (fst x)) M)).
   { intros F O A. destruct (Su n F O) as [z Z]. apply (all_even (along F) n) in B.
-    rewrite (falls_total F O A _ _ _ _ _ _ PS), last_rises_rings in B. destruct B as [y Y].
+    rewrite total_rev_append, (falls_total F O A _ _ _ _ _ _ PS), last_rises_rings in B.
+    change (total (weigh (along F) n) []) with 0 in B. destruct B as [y Y].
     rewrite <- (total_permutation _ _ _ P) in Y. exists (z + y). unfold M. rewrite total_app, total_map. cbn [fst snd].
     assert (T : total (fun i => (- parity n (beneath i) - times n (last_rings i)) * along F (item_side i)) (front s)
       = - total (fun i => parity n (beneath i) * along F (item_side i)) (front s)

@@ -431,6 +431,31 @@ let same_set_once compare1 l m =
     (equal compare1 (distinct compare1 (sort compare1 l) [])
       (rev_append o []))
 
+(** val apart :
+    ('a1 -> 'a1 -> comparison) -> 'a1 list -> 'a1 list -> 'a1 list -> 'a1
+    list -> 'a1 list * 'a1 list **)
+
+let rec apart compare1 l m left right =
+  match l with
+  | [] -> (left, (rev_append m right))
+  | x :: l' ->
+    let rec beside m0 right0 =
+      match m0 with
+      | [] -> ((rev_append l left), right0)
+      | y :: m' ->
+        (match compare1 x y with
+         | Eq -> apart compare1 l' m' left right0
+         | Lt -> beside m' (y :: right0)
+         | Gt -> apart compare1 l' m0 (x :: left) right0)
+    in beside m right
+
+(** val cancel :
+    ('a1 -> 'a1 -> comparison) -> 'a1 list -> 'a1 list -> 'a1 list * 'a1 list **)
+
+let cancel compare1 l m =
+  apart compare1 (distinct compare1 (sort compare1 l) [])
+    (distinct compare1 (sort compare1 m) []) [] []
+
 type 'x compare0 =
 | LT
 | EQ
@@ -989,9 +1014,12 @@ type zdomain =
 type zedge = { edge_from : zpoint; edge_through : zpoint list;
                edge_to : zpoint; edge_ring : Integer.t option }
 
-type certificate = { domain : zdomain; points : zpoint list;
-                     edges : zedge list; lower : zpoint list;
-                     triangles : ztriangle list }
+type record =
+| NewPoint of zpoint
+| NewEdge of zedge
+| NewLower of zside
+| NewTriangle of ztriangle
+| Forget
 
 type item = { item_side : zside; below : zpoint option; marked : bool;
               level : Integer.t; beneath : around }
@@ -1155,17 +1183,6 @@ let step rule judge t0 s =
           else None)
   else None
 
-(** val lay :
-    bool -> table option -> ztriangle list -> state -> state option **)
-
-let rec lay rule judge ts s =
-  match ts with
-  | [] -> Some s
-  | t0 :: r ->
-    (match step rule judge t0 s with
-     | Some s' -> lay rule judge r s'
-     | None -> None)
-
 (** val chain : Integer.t -> zside -> zside list -> bool **)
 
 let rec chain sign s l =
@@ -1185,34 +1202,43 @@ let rec last_end s = function
 | [] -> s.right_end
 | t0 :: r -> last_end t0 r
 
-(** val border : zside list -> zside list -> bool **)
+(** val first_item : zside -> item **)
 
-let border low high =
-  match low with
-  | [] -> false
-  | s :: l ->
-    (match high with
-     | [] -> false
-     | t0 :: h ->
-       (&&)
-         ((&&)
-           ((&&) (chain Integer.one s l)
-             (chain (Integer.neg Integer.one) t0 h))
-           (same s.left_end t0.left_end))
-         (same (last_end s l) (last_end t0 h)))
+let first_item s =
+  { item_side = s; below = None; marked = false; level = Integer.zero;
+    beneath = outside }
 
-(** val sides_of : zpoint -> zpoint list -> zside list -> zside list **)
+(** val joins : zside -> zside -> bool **)
 
-let rec sides_of a l acc =
-  match l with
-  | [] -> acc
-  | b :: r -> sides_of b r ({ left_end = a; right_end = b } :: acc)
+let joins s t0 =
+  (&&) (same s.right_end t0.left_end)
+    (Integer.leq Integer.zero (zorient s.left_end s.right_end t0.right_end))
 
-(** val low_sides : zpoint list -> zside list **)
+(** val lengthen :
+    zside -> (zside * zside) option -> state -> ((zside * zside) * state)
+    option **)
 
-let low_sides = function
-| [] -> []
-| a :: r -> rev_append (sides_of a r []) []
+let lengthen x low0 s =
+  if before x.left_end x.right_end
+  then let i = first_item x in
+       (match low0 with
+        | Some p ->
+          let (f, l) = p in
+          if joins x f
+          then Some ((x, l), { passed = []; ahead =
+                 (i :: (rev_append s.passed s.ahead)); brought =
+                 (x.left_end :: s.brought); used = s.used; rises = s.rises })
+          else if joins l x
+               then Some ((f, x), { passed = (rev_append s.ahead s.passed);
+                      ahead = (i :: []); brought =
+                      (x.right_end :: s.brought); used = s.used; rises =
+                      s.rises })
+               else None
+        | None ->
+          Some ((x, x), { passed = s.passed; ahead = (i :: s.ahead);
+            brought = (x.left_end :: (x.right_end :: s.brought)); used =
+            s.used; rises = s.rises }))
+  else None
 
 (** val piece : zpoint -> zpoint -> zside **)
 
@@ -1248,18 +1274,20 @@ let rec pieces es acc =
           | Some acc' -> pieces r acc'
           | None -> None)
 
-(** val all_on_line : zpoint -> zpoint -> zpoint list -> bool **)
+type line =
+| NoPoint
+| OnePlace of zpoint
+| OnLine of zpoint * zpoint
+| OffLine
 
-let rec all_on_line a b = function
-| [] -> true
-| p :: r ->
-  (&&) (Integer.equal (zorient a b p) Integer.zero) (all_on_line a b r)
+(** val see : zpoint -> line -> line **)
 
-(** val on_line : zpoint -> zpoint list -> bool **)
-
-let rec on_line a = function
-| [] -> true
-| b :: r -> if same a b then on_line a r else all_on_line a b r
+let see p l = match l with
+| NoPoint -> OnePlace p
+| OnePlace a -> if same a p then l else OnLine (a, p)
+| OnLine (a, b) ->
+  if Integer.equal (zorient a b p) Integer.zero then l else OffLine
+| OffLine -> OffLine
 
 (** val map_items : (item -> 'a1) -> item list -> 'a1 list -> 'a1 list **)
 
@@ -1374,18 +1402,31 @@ let rec ends es acc =
        ends r ((at_point e.edge_from) :: ((at_point e.edge_to) :: acc))
      | None -> ends r acc)
 
-(** val values_right : zdomain -> zedge list -> zrise list -> bool **)
+(** val falls_in : zdomain -> zedge list -> zrise list -> zrise list **)
 
-let values_right d es rs =
+let falls_in d es acc =
+  match d with
+  | Hull -> acc
+  | Polygons _ -> falls (fun z0 -> z0.edge_ring) es acc
+  | _ -> falls one_ring es acc
+
+(** val ends_in : zdomain -> zedge list -> zrise list -> zrise list **)
+
+let ends_in d es acc =
+  match d with
+  | Polygons _ -> ends es acc
+  | _ -> acc
+
+(** val values_right : zdomain -> zrise list -> zrise list -> bool **)
+
+let values_right d rs open1 =
   match d with
   | Hull -> true
-  | EvenOdd -> all_balanced Integer.is_even (falls one_ring es rs)
-  | NonZero ->
-    all_balanced (Integer.equal Integer.zero) (falls one_ring es rs)
+  | EvenOdd -> all_balanced Integer.is_even rs
+  | NonZero -> all_balanced (Integer.equal Integer.zero) rs
   | Polygons _ ->
-    (&&)
-      (all_balanced Integer.is_even (falls (fun z0 -> z0.edge_ring) es rs))
-      (all_balanced Integer.is_even (ends es []))
+    (&&) (all_balanced Integer.is_even rs)
+      (all_balanced Integer.is_even open1)
 
 (** val judge_of : zdomain -> table option **)
 
@@ -1393,35 +1434,88 @@ let judge_of = function
 | Polygons ps -> Some (table_of Integer.one ps PM.empty)
 | _ -> None
 
-(** val check : bool -> certificate -> bool **)
+type course = { laying : state; low : (zside * zside) option;
+                given : zpoint list; split : zside list; fallen : zrise list;
+                open0 : zrise list; seen_line : line; is_empty0 : bool }
 
-let check rule k =
-  match k.triangles with
-  | [] -> (match k.points with
-           | [] -> true
-           | a :: r -> on_line a r)
-  | _ :: _ ->
-    let low = low_sides k.lower in
-    let judge = judge_of k.domain in
-    let start = { passed = []; ahead =
-      (rev_append
-        (fold_left (fun acc s -> { item_side = s; below = None; marked =
-          false; level = Integer.zero; beneath = outside } :: acc) low []) []);
-      brought = k.lower; used = []; rises = [] }
-    in
-    (match lay rule judge k.triangles start with
-     | Some s ->
-       (match pieces k.edges [] with
-        | Some ps ->
-          let front = rev_append s.passed s.ahead in
-          (&&)
-            ((&&)
-              ((&&)
-                ((&&) (all_covered front)
-                  (border low
-                    (rev_append (map_items (fun i -> i.item_side) front [])
-                      []))) (same_set_once compare_points k.points s.brought))
-              (same_set compare_sides ps (marked_sides front s.used)))
-            (values_right k.domain k.edges (last_rises judge front s.rises))
+(** val start : course **)
+
+let start =
+  { laying = { passed = []; ahead = []; brought = []; used = []; rises =
+    [] }; low = None; given = []; split = []; fallen = []; open0 = [];
+    seen_line = NoPoint; is_empty0 = true }
+
+(** val take :
+    bool -> zdomain -> table option -> record -> course -> course option **)
+
+let take rule d judge r c =
+  let s = c.laying in
+  (match r with
+   | NewPoint p ->
+     Some { laying = s; low = c.low; given = (p :: c.given); split = c.split;
+       fallen = c.fallen; open0 = c.open0; seen_line = (see p c.seen_line);
+       is_empty0 = c.is_empty0 }
+   | NewEdge e ->
+     (match pieces (e :: []) c.split with
+      | Some ps ->
+        Some { laying = s; low = c.low; given = c.given; split = ps; fallen =
+          (falls_in d (e :: []) c.fallen); open0 =
+          (ends_in d (e :: []) c.open0); seen_line = c.seen_line; is_empty0 =
+          c.is_empty0 }
+      | None -> None)
+   | NewLower x ->
+     (match lengthen x c.low s with
+      | Some p ->
+        let (p0, s') = p in
+        Some { laying = s'; low = (Some p0); given = c.given; split =
+        c.split; fallen = c.fallen; open0 = c.open0; seen_line = c.seen_line;
+        is_empty0 = c.is_empty0 }
+      | None -> None)
+   | NewTriangle t0 ->
+     (match step rule judge t0 s with
+      | Some s' ->
+        Some { laying = s'; low = c.low; given = c.given; split = c.split;
+          fallen = c.fallen; open0 = c.open0; seen_line = c.seen_line;
+          is_empty0 = false }
+      | None -> None)
+   | Forget ->
+     (match judge with
+      | Some _ -> Some c
+      | None ->
+        let (g, b) = cancel compare_points c.given s.brought in
+        let (p, u) = cancel compare_sides c.split s.used in
+        Some { laying = { passed = s.passed; ahead = s.ahead; brought = b;
+        used = u; rises = s.rises }; low = c.low; given = g; split = p;
+        fallen = c.fallen; open0 = c.open0; seen_line = c.seen_line;
+        is_empty0 = c.is_empty0 }))
+
+(** val finish : zdomain -> table option -> course -> bool **)
+
+let finish d judge c =
+  if c.is_empty0
+  then (match c.seen_line with
+        | OffLine -> false
+        | _ -> true)
+  else let s = c.laying in
+       let front = rev_append s.passed s.ahead in
+       (match c.low with
+        | Some p ->
+          let (f, l) = p in
+          (match rev_append (map_items (fun i -> i.item_side) front []) [] with
+           | [] -> false
+           | t0 :: h ->
+             (&&)
+               ((&&)
+                 ((&&)
+                   ((&&)
+                     ((&&)
+                       ((&&) (all_covered front)
+                         (chain (Integer.neg Integer.one) t0 h))
+                       (same f.left_end t0.left_end))
+                     (same l.right_end (last_end t0 h)))
+                   (same_set_once compare_points c.given s.brought))
+                 (same_set compare_sides c.split (marked_sides front s.used)))
+               (values_right d
+                 (rev_append c.fallen (last_rises judge front s.rises))
+                 c.open0))
         | None -> false)
-     | None -> false)

@@ -91,6 +91,13 @@ val all_ascending : ('a1 -> 'a1 -> comparison) -> 'a1 list -> bool
 
 val same_set_once : ('a1 -> 'a1 -> comparison) -> 'a1 list -> 'a1 list -> bool
 
+val apart :
+  ('a1 -> 'a1 -> comparison) -> 'a1 list -> 'a1 list -> 'a1 list -> 'a1 list
+  -> 'a1 list * 'a1 list
+
+val cancel :
+  ('a1 -> 'a1 -> comparison) -> 'a1 list -> 'a1 list -> 'a1 list * 'a1 list
+
 type 'x compare0 =
 | LT
 | EQ
@@ -402,9 +409,12 @@ type zdomain =
 type zedge = { edge_from : zpoint; edge_through : zpoint list;
                edge_to : zpoint; edge_ring : Integer.t option }
 
-type certificate = { domain : zdomain; points : zpoint list;
-                     edges : zedge list; lower : zpoint list;
-                     triangles : ztriangle list }
+type record =
+| NewPoint of zpoint
+| NewEdge of zedge
+| NewLower of zside
+| NewTriangle of ztriangle
+| Forget
 
 type item = { item_side : zside; below : zpoint option; marked : bool;
               level : Integer.t; beneath : around }
@@ -440,17 +450,16 @@ val add_rise :
 
 val step : bool -> table option -> ztriangle -> state -> state option
 
-val lay : bool -> table option -> ztriangle list -> state -> state option
-
 val chain : Integer.t -> zside -> zside list -> bool
 
 val last_end : zside -> zside list -> zpoint
 
-val border : zside list -> zside list -> bool
+val first_item : zside -> item
 
-val sides_of : zpoint -> zpoint list -> zside list -> zside list
+val joins : zside -> zside -> bool
 
-val low_sides : zpoint list -> zside list
+val lengthen :
+  zside -> (zside * zside) option -> state -> ((zside * zside) * state) option
 
 val piece : zpoint -> zpoint -> zside
 
@@ -461,9 +470,13 @@ val pieces_of :
 
 val pieces : zedge list -> zside list -> zside list option
 
-val all_on_line : zpoint -> zpoint -> zpoint list -> bool
+type line =
+| NoPoint
+| OnePlace of zpoint
+| OnLine of zpoint * zpoint
+| OffLine
 
-val on_line : zpoint -> zpoint list -> bool
+val see : zpoint -> line -> line
 
 val map_items : (item -> 'a1) -> item list -> 'a1 list -> 'a1 list
 
@@ -493,8 +506,21 @@ val all_balanced : (Integer.t -> bool) -> zrise list -> bool
 
 val ends : zedge list -> zrise list -> zrise list
 
-val values_right : zdomain -> zedge list -> zrise list -> bool
+val falls_in : zdomain -> zedge list -> zrise list -> zrise list
+
+val ends_in : zdomain -> zedge list -> zrise list -> zrise list
+
+val values_right : zdomain -> zrise list -> zrise list -> bool
 
 val judge_of : zdomain -> table option
 
-val check : bool -> certificate -> bool
+type course = { laying : state; low : (zside * zside) option;
+                given : zpoint list; split : zside list; fallen : zrise list;
+                open0 : zrise list; seen_line : line; is_empty0 : bool }
+
+val start : course
+
+val take :
+  bool -> zdomain -> table option -> record -> course -> course option
+
+val finish : zdomain -> table option -> course -> bool

@@ -108,23 +108,20 @@ def certificate(data, domain="hull", rings=(), polygons=()):
     edges = edges_of(data)
     marked = {frozenset((points[a], points[b])) for c in edges for a, b in zip(c, c[1:])}
     triangles, chain = order(points, data["triangles"])
-    out = ["sweep-cdt-certificate 2", f"exponent {exponent}", f"domain {domain}"]
+    out = ["sweep-cdt-certificate 3", f"exponent {exponent}", f"domain {domain}"]
     first = [[]] * len(edges)
     if domain == "polygons":
         out.append(f"polygons {len(polygons)}")
         out += [" ".join(map(str, ["outlines", *outlines, "holes", *holes])) for outlines, holes in polygons]
         first = [["-" if ring is None else ring] for ring in rings]
-    out += [f"points {len(points)}", *(f"{x} {y}" for x, y in points)]
-    out.append(f"edges {len(edges)}")
-    out += [" ".join(map(str, [*ring, *edge])) for ring, edge in zip(first, edges)]
-    out.append(f"lower {max(0, len(chain) - 1)}")
-    out += map(str, chain)
-    out.append(f"triangles {len(triangles)}")
+    out += [f"p {x} {y}" for x, y in points]
+    out += [" ".join(map(str, ["e", *ring, *edge])) for ring, edge in zip(first, edges)]
+    out += [f"l {a} {b}" for a, b in zip(chain, chain[1:])]
     for (a, b, c), value in zip(triangles, claims(domain, points, edges, rings, polygons, triangles)):
         mark = sum(
             1 << i for i, (p, q) in enumerate(((a, b), (b, c), (c, a))) if frozenset((points[p], points[q])) in marked
         )
-        out.append(" ".join(map(str, [a, b, c, mark, *value])))
+        out.append(" ".join(map(str, ["t", a, b, c, mark, *value])))
     return "\n".join(out + ["end", ""])
 
 

@@ -110,7 +110,7 @@ def domains(command, title, path, result, folder):
     for rule in ("even-odd", "nonzero"):
         text = certify.certificate(result, rule)
         said = []
-        triangles = [line.split(" ") for line in text.splitlines() if line.count(" ") == 4]
+        triangles = [line.split(" ") for line in text.splitlines() if line.startswith("t ")]
         first = " ".join(triangles[0])
         *rest, value = triangles[0]
         wrong = text.replace(first + "\n", " ".join([*rest, str(1 + int(value))]) + "\n")
@@ -126,7 +126,7 @@ def domains(command, title, path, result, folder):
         output.unlink(missing_ok=True)
         subprocess.run([command, "triangulate", path, "--inside", rule, "-o", output], capture_output=True, check=False)
         expected = (0, 0) if output.exists() else (1, 1)  # edges that are no closed rings have no interior
-        inside = sorted(sorted(map(int, t[:3])) for t in triangles if int(t[4]) != 0)
+        inside = sorted(sorted(map(int, t[1:4])) for t in triangles if int(t[5]) != 0)
         if said != [expected, (1, 1)]:
             sys.exit(f"{title}, {rule}: {said}")
         if output.exists():
@@ -145,13 +145,31 @@ def certified(command, title, path, result, folder):
         check.judge(*check.read(lines), False)
     if program:
         sys.exit(f"{title}: the command's own certificate is refused")
-    lines = cert.read_text().splitlines()
-    unit = Fraction(2) ** int(lines[1].split(" ")[1])
-    edges = 4 + len(result["points"])
-    points = [[int(x, 0) * unit for x in line.split(" ")] for line in lines[4:edges]]
-    ends = [[int(line.split(" ")[i]) for i in (0, -1)] for line in lines[edges + 1 :][: len(result["edges"])]]
+    _, points, edges = polygons.declarations(cert.read_text())
+    ends = [[int(edge[i]) for i in (0, -1)] for edge in edges]
     if points != [[Fraction(float(x)) for x in point[:2]] for point in result["points"]] or ends != result["edges"]:
         sys.exit(f"{title}: the command's own certificate has other points or edges")
+
+
+def streamed(command, title, result, folder, window):
+    """The certificate of a stream must be of the same points and edges, and accepted by both."""
+    graph, cert = folder / "x.poly", folder / "stream.cert"
+    points, edges = ([p[:2] for p in result["points"]], result["edges"])
+    lines = [f"{len(points)} 2 0 0", *(f"{n} {x!r} {y!r}" for n, (x, y) in enumerate(points))]
+    lines += [f"{len(edges)} 0", *(f"{n} {a} {b}" for n, (a, b) in enumerate(edges)), "0"]
+    graph.write_text("\n".join([*lines, ""]))
+    call = [command, "stream", graph, "--window", str(window), "-o", cert]
+    subprocess.run(call, capture_output=True, check=True)
+    text = cert.read_text()
+    if polygons.judged(PROOF / "build/check", text, cert) != [0, 0]:
+        sys.exit(f"{title}: the certificate of the stream is refused; see {graph}")
+    _, places, chains = polygons.declarations(text)
+    places = [tuple(place) for place in places]
+    exact = [tuple(Fraction(float(x)) for x in point) for point in points]
+    both = [[(p[a], p[b]) for a, b in l] for p, l in ((exact, edges), (places, [map(int, (c[0], c[-1])) for c in chains]))]
+    ends = [sorted(tuple(sorted(pair)) for pair in pairs if pair[0] != pair[1]) for pairs in both]
+    if sorted(set(exact)) != sorted(places) or ends[0] != ends[1]:
+        sys.exit(f"{title}: the certificate of the stream has other points or edges")
 
 
 def main(command, altered=5):
@@ -168,6 +186,8 @@ def main(command, altered=5):
                 continue  # edges that cross
             result = json.loads(output.read_text())
             certified(command, title, path, result, folder)
+            for window in (1, 30):
+                streamed(command, title, result, folder, window)
             cases = [("right", result)]
             if result["triangles"] and len(result["points"]) < 5000:
                 interiors += domains(command, title, path, result, folder)
@@ -184,7 +204,7 @@ def main(command, altered=5):
                     wrongs += 1
                 else:
                     ties += said["proved"][1]
-        accepted, refused = polygons.compare(command, PROOF / "build/check", rng, folder, count=100)
+        accepted, refused = polygons.compare(command, PROOF / "build/check", rng, folder, 100, streamed)
     print(f"{rights} right results accepted and {wrongs} altered ones refused by all; {ties} refused as ties alone")
     print(f"{interiors} interiors are those of sweep-cdt, and none is accepted with a wrong value")
     print(f"{accepted} interiors of polygons accepted and {refused} altered ones refused by all")

@@ -66,31 +66,28 @@ def covered(polygons, corners):
 def claimed(text):
     """The triangles that are inside by a certificate."""
     lines = [line.split(" ") for line in text.splitlines()]
-    start = next(n for n, line in enumerate(lines) if line[0] == "triangles") + 1
-    return [list(map(int, corners)) for *corners, _, value in (line[:5] for line in lines[start:-1]) if value == "1"]
+    return [list(map(int, line[1:4])) for line in lines if line[0] == "t" and line[5] == "1"]
 
 
 def declarations(text):
     """What is declared: the polygons, the points times the unit, and the edges."""
-    lines = text.split("\nlower ")[0].splitlines()
-    points = next(n for n, line in enumerate(lines) if line.startswith("points "))
-    edges = next(n for n, line in enumerate(lines) if line.startswith("edges "))
-    unit = Fraction(2) ** int(lines[1].split(" ")[1])
-    places = [[int(x, 0) * unit for x in line.split(" ")] for line in lines[points + 1 : edges]]
-    return lines[2:points], places, lines[edges:]
+    lines = [line.split(" ") for line in text.splitlines()]
+    unit = Fraction(2) ** int(lines[1][1])
+    places = [[int(x, 0) * unit for x in line[1:]] for line in lines if line[0] == "p"]
+    head = [line for line in lines[2:] if line[0] in ("domain", "polygons", "outlines")]
+    return head, places, [line[1:] for line in lines if line[0] == "e"]
 
 
 def altered(text, rng, others=()):
     """The certificate with one triangle moved out or in, or with another ring at a side."""
     lines = text.splitlines()
-    start = next(n for n, line in enumerate(lines) if line.startswith("triangles ")) + 1
-    n = rng.choice([n for n in range(start, len(lines) - 1) if not others or "b" in lines[n]])
+    n = rng.choice([n for n, line in enumerate(lines) if line[0] == "t" and (not others or "b" in line)])
     words = lines[n].split(" ")
     if others:
-        names = [k for k, word in enumerate(words) if k > 4 and word not in ("ab", "bc")]
+        names = [k for k, word in enumerate(words) if k > 5 and word not in ("ab", "bc")]
         words[rng.choice(names)] = others
     else:
-        words[4] = "10"[int(words[4])]
+        words[5] = "10"[int(words[5])]
     lines[n] = " ".join(words)
     return "\n".join([*lines, ""])
 
@@ -98,9 +95,8 @@ def altered(text, rng, others=()):
 def without_an_edge(text, rng):
     """The certificate with an edge that is part of another ring or of none."""
     lines = text.splitlines()
-    start = next(n for n, line in enumerate(lines) if line.startswith("edges ")) + 1
-    n = rng.randrange(start, start + int(lines[start - 1].split(" ")[1]))
-    lines[n] = " ".join([rng.choice(["-", "0", "1"]), *lines[n].split(" ")[1:]])
+    n = rng.choice([n for n, line in enumerate(lines) if line.startswith("e ")])
+    lines[n] = " ".join(["e", rng.choice(["-", "0", "1"]), *lines[n].split(" ")[2:]])
     return "\n".join([*lines, ""])
 
 
@@ -115,8 +111,8 @@ def judged(program, text, cert):
         return [proved, 1]
 
 
-def compare(command, program, rng, folder, count):
-    """How many interiors were accepted and how many refused by all three."""
+def compare(command, program, rng, folder, count, streamed):
+    """How many interiors were accepted and how many refused by all three. `streamed` judges streams of the same edges."""
     rights = wrongs = 0
     shapes, cert, answer = folder / "x.wkt", folder / "x.cert", folder / "y.json"
     hull, own = folder / "hull.json", folder / "own.cert"
@@ -127,6 +123,7 @@ def compare(command, program, rng, folder, count):
             call = [command, "triangulate", shapes, "--inside", rule, "-o", output]
             subprocess.run(call, check=True, capture_output=True)
         result = json.loads(hull.read_text())
+        streamed(command, f"polygons {number}", result, folder, rng.randint(1, 20))
 
         sides = [list(zip(ring, ring[1:] + ring[:1])) for rings in polygons for ring in rings]
         rings = [n for n, ring in enumerate(sides) for _ in ring] + [None] * len(lines)

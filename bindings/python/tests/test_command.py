@@ -2,6 +2,7 @@
 
 import json
 import pathlib
+import struct
 import subprocess
 
 import hypothesis
@@ -115,3 +116,39 @@ def test_verdicts(files, question, triangles, is_own, flips, domain, level, max_
     assert [str(name) for name in report.violations["name"]] == [v["class"] for v in theirs["violations"]]
     assert [str(m) for m in report.violations["message"]] == [v["message"] for v in theirs["violations"]]
     assert {**report.counts} == theirs["counts"]
+
+
+def cloud(points, keys):
+    """A `.las` of points, in thousandths, with keys of GeoTIFF that name its coordinate system."""
+    numbers = struct.pack(f"<{len(keys)}H", *keys)
+    record = struct.pack("<2x16sHH32x", b"LASF_Projection", 34735, len(numbers)) + numbers
+    head = bytearray(227)
+    head[:4] = b"LASF"
+    head[24:26] = 1, 2
+    struct.pack_into("<HIIBHI", head, 94, 227, 227 + len(record), 1, 0, 20, len(points))
+    struct.pack_into("<3d", head, 131, 0.001, 0.001, 0.001)
+    return bytes(head) + record + b"".join(struct.pack("<3i8x", *point) for point in points)
+
+
+@pytest.mark.parametrize(
+    ("keys", "system"),
+    [([1024, 0, 1, 1, 3072, 0, 1, 25832], 25832), ([1024, 0, 1, 2, 2048, 0, 1, 4258], 4258)],
+)
+def test_a_grid_of_heights_lies_where_its_cloud_lies(files, keys, system):
+    rasterio = pytest.importorskip("rasterio")
+    points = [(0, 0, 0), (4000, 0, 4000), (0, 3000, 30_000), (4000, 3000, 34_000)]
+    (files.folder / "a.las").write_bytes(cloud(points, [1, 1, 0, 2, *keys]))
+    run = files.run("stream", "a.las", "--raster", "a.tif", "--cell", "0.5")
+    if "a build" in run.stderr:
+        pytest.skip("the command is built without the features las and geotiff")
+    assert run.returncode == 0, run.stderr
+    with rasterio.open(files.folder / "a.tif") as grid:
+        assert grid.crs.to_epsg() == system
+        assert grid.tags()["AREA_OR_POINT"] == "Area"
+        assert np.isnan(grid.nodata)
+        heights, shape = grid.read(1), grid.shape
+        places = [grid.xy(row, column) for row in range(shape[0]) for column in range(shape[1])]
+    for (x, y), height in zip(places, heights.ravel(), strict=True):
+        is_inside = 0 <= x <= 4 and 0 <= y <= 3
+        assert height == pytest.approx(x + 10 * y) if is_inside else np.isnan(height), (x, y)
+    assert np.isfinite(heights).sum() == 8 * 6

@@ -215,15 +215,18 @@ def test_equal_points_and_missing_neighbours_by_the_command(command, tmp_path):
     assert said(command, tmp_path, "heights", "gap.csv", "--at", "at.csv")[0] == "x,y,z\n4,4,1\n2,4,1\n"
 
 
-def test_names_and_features_of_places_are_not_lost_without_a_word(command, tmp_path):
-    """Columns of words and properties, of tables and maps that get heights."""
+def test_names_and_features_of_places_are_kept(command, tmp_path):
+    """Columns of words and properties, of tables and maps that get heights; a loss elsewhere is said."""
     (tmp_path / "terr.csv").write_text("x,y,z\n0,0,1\n10,0,2\n10,10,3\n0,10,4\n")
     (tmp_path / "trees.csv").write_text('id,name,x,y,girth\n1,oak,2,3,1.5\n2,"elm, old",7,7,0.9\n')
     well = '{"type": "Feature", "properties": {"depth": 30}, "geometry": {"type": "Point", "coordinates": [2, 3]}}'
     (tmp_path / "wells.geojson").write_text(well)
     for places, words in (("trees.csv", "1 column `name`"), ("wells.geojson", "1 property `depth`")):
-        out, note = said(command, tmp_path, "heights", "terr.csv", "--at", places)
-        assert note == f"note: {places}: ignored: {words}\n" and "2.1" in out
+        heights = ["heights", "terr.csv", "--at", places]
+        out, note = said(command, tmp_path, *heights)
+        assert not note and "2.1" in out and ("elm, old" in out or '"depth": 30' in out)
+        out, note = said(command, tmp_path, *heights, "-o", "out.xyz")
+        assert note == f"note: {places}: ignored: {words}\n"
 
 
 def in_fractions(ring):

@@ -37,7 +37,7 @@ pub(crate) struct Contours {
     output: Option<FileArgument>,
 
     /// Format of standard output, and of an output whose extension tells none
-    #[arg(long, value_name = "FORMAT", value_parser = format_parser(Format::INPUTS))]
+    #[arg(long, value_name = "FORMAT", value_parser = format_parser(Format::GRAPHS))]
     output_format: Option<Format>,
 }
 
@@ -75,7 +75,7 @@ impl Contours {
             return Err(Failure::Usage(format!("--every: {error}")));
         }
         let target = |file: &FileArgument| -> Result<_, Failure> {
-            let format = format_of_output(file, self.output_format, Format::INPUTS)?;
+            let format = format_of_output(file, self.output_format, Format::GRAPHS)?;
             Ok((format, Destination::of(file)?))
         };
         let target = self.output.as_ref().map(target).transpose()?;

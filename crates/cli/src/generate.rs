@@ -34,7 +34,7 @@ pub(crate) struct Generate {
     output: FileArgument,
 
     /// Format of an output whose extension tells none [default for standard output: poly]
-    #[arg(long, value_name = "FORMAT", value_parser = format_parser(Format::INPUTS))]
+    #[arg(long, value_name = "FORMAT", value_parser = format_parser(Format::GRAPHS))]
     output_format: Option<Format>,
 }
 
@@ -78,7 +78,7 @@ impl Generate {
     /// Runs the subcommand.
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let poly = self.output.is_standard().then_some(Format::Poly);
-        let format = format_of_output(&self.output, self.output_format.or(poly), Format::INPUTS)?;
+        let format = format_of_output(&self.output, self.output_format.or(poly), Format::GRAPHS)?;
         let destination = Destination::of(&self.output)?;
         if !has_room(u64::from(self.points) * POINT) {
             return Err(Failure::Error("out of memory".to_owned()));

@@ -1,9 +1,11 @@
 //! `sweep-cdt heights`: the heights of points on triangulated terrain.
 
+use std::io::Write;
+
 use num_rational::BigRational;
 use sweep_cdt::crossings::Exact;
 use sweep_cdt_formats::{
-    Column, Coordinate, Format, GraphFile, Input, Remark, not_written, write_graph,
+    Column, Coordinate, Format, GraphFile, Input, Remark, Source, not_written, raised, write_graph,
 };
 use sweep_cdt_terrain::Surface;
 
@@ -47,7 +49,7 @@ pub(crate) struct Heights {
     output: FileArgument,
 
     /// Format of standard output, and of an output whose extension tells none [default: that of the points]
-    #[arg(long, value_name = "FORMAT", value_parser = format_parser(Format::INPUTS))]
+    #[arg(long, value_name = "FORMAT", value_parser = format_parser(Format::GRAPHS))]
     output_format: Option<Format>,
 }
 
@@ -57,10 +59,12 @@ property of the features of a .geojson or column of a .csv (--height-property).
 A triangle with a corner that has no height gives none, and a point outside of --inside has none
 unless --within is given. Of several nearest places the lowest counts, and of these the leftmost.
 
-Output: the points in the order of their file, with their columns, markers and coordinate system where
-the format has room for them, and their heights in place of those that they had. Equal points of a map
-(.geojson, .wkt) are one. A point without a height has what its format has for that: nothing,
-or `NaN`. A line says how many there are.
+Output: a .geojson, .csv, .xyz or .txt that is written in its own format stays as it is, features with
+their properties and rows with all their fields, but for heights: third coordinates, or the column of
+heights, which is the last one if there was none. In another format: the points in the order of their
+file, with their columns, markers and coordinate system where the format has room for them, and their
+heights in place of those that they had. Equal points of a map (.geojson, .wkt) are one. A point
+without a height has what its format has for that: nothing, or `NaN`. A line says how many there are.
 
 Without --within, time is proportional to points and triangles, times the logarithm, however the points lie.
 
@@ -76,37 +80,40 @@ impl Heights {
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let points = InputArgs::new(self.at.clone(), self.at_format).options("--at-");
         let same = points.format()?;
-        let format = format_of_output(
-            &self.output,
-            self.output_format.or(Some(same)),
-            Format::INPUTS,
-        )?;
+        let same = Some(same).filter(|same| Format::GRAPHS.contains(same));
+        let format = format_of_output(&self.output, self.output_format.or(same), Format::GRAPHS)?;
         let destination = Destination::of(&self.output)?;
         let mut files = self.terrain.files();
         let terrain = self.terrain.read(&mut files)?;
         files.columns.clone_from(&self.at_columns);
-        let points_read = points.read(&mut files, |_| ())?;
+        files.keeps_text = same == Some(format) && Format::RAISED.contains(&format);
+        let mut source = None;
+        let points_read = points.read(&mut files, |read| source = Some(read.clone()))?;
         refuse_read(&files, [&destination])?;
-        let name = points.name();
+        let to = To {
+            name: &points.name(),
+            source: source.filter(|_| files.keeps_text),
+            format,
+            destination,
+        };
         match (terrain, points_read) {
             (Input::Doubles(terrain), Input::Doubles(points)) => {
-                self.write(&terrain, (&name, points), format, destination, &files)
+                self.write(&terrain, points, to, &files)
             }
             (terrain, points) => {
                 let terrain = as_rationals(&self.terrain.name(), terrain)?;
-                let points = as_rationals(&name, points)?;
-                self.write::<BigRational>(&terrain, (&name, points), format, destination, &files)
+                let points = as_rationals(to.name, points)?;
+                self.write::<BigRational>(&terrain, points, to, &files)
             }
         }
     }
 
-    /// Writes the points of this name with their heights.
+    /// Writes the points with their heights.
     fn write<S: Coordinate + Exact>(
         &self,
         terrain: &GraphFile<S>,
-        (name, mut points): (&str, GraphFile<S>),
-        format: Format,
-        destination: Destination,
+        mut points: GraphFile<S>,
+        to: To<'_>,
         files: &FilesRead,
     ) -> Result<(), Failure> {
         let places = &points.graph.points;
@@ -127,16 +134,37 @@ impl Heights {
         let (places, missing) = (heights.values.len(), heights.missing());
         points.columns.retain(|column| column.name != heights.name);
         points.columns.insert(0, heights);
-        if Format::OUTPUTS.contains(&format) {
+        let To {
+            name,
+            source,
+            format,
+            destination,
+        } = to;
+        let text = source.map(|source| raised(format, &source, &points));
+        let text = text.transpose()?.flatten();
+        if text.is_none() && Format::OUTPUTS.contains(&format) {
             let lost = not_written(format, &points, None);
             files.say(&destination.name.display().to_string(), lost.as_slice())?;
         }
         let mut outputs = Outputs::default();
-        outputs.add(destination, |out| write_graph(format, &points, out))?;
+        outputs.add(destination, |out| match &text {
+            Some(text) => out.write_all(text),
+            None => write_graph(format, &points, out),
+        })?;
         outputs.finish()?;
         let off = (missing > 0).then_some(Remark::OffTerrain { missing, places });
         files.say(name, off.as_slice())
     }
+}
+
+/// Where points go with their heights.
+struct To<'a> {
+    /// The name of the points in messages.
+    name: &'a str,
+    /// The file that they were read from, if all else in it stays.
+    source: Option<Source>,
+    format: Format,
+    destination: Destination,
 }
 
 /// Points that want heights.

@@ -98,6 +98,7 @@ impl Refine {
         let targets = self.output.targets()?;
         let mut read = self.terrain.files();
         read.takes_areas = true;
+        read.takes_properties = true;
         let name = self.terrain.name();
         let input = self.scalar.convert(&name, self.terrain.read(&mut read)?)?;
         let run = Run {

@@ -98,6 +98,8 @@ Input:
            vertices, and lines for edges; faces with --faces. All but the first two may be binary
   .csv, .xyz, .txt
            points, one a row; the columns x, y and z, or lon, lat and so on, by their names, or in this order
+  .las, .laz
+           points of laser scanners with their heights, in a build with the feature `las`; see --class
   .npy, .npz
            points as an array of NumPy; or points and edges as arrays with these names
   .geojson, .wkt
@@ -123,7 +125,7 @@ Output, with the triangles always in the same order:
            power of two, edges, all triangles, which of them are inside (by the rules hull, polygons,
            even-odd and nonzero), and hints
   .geojson, .wkt
-           a polygon for each triangle, in .geojson with its region or feature
+           a polygon for each triangle, in .geojson with its region or feature, and the properties of that
   .npy, .npz
            triangles as an array of NumPy; or points, edges and triangles as arrays with these names
   .svg, .png
@@ -171,6 +173,7 @@ impl Triangulate {
             limit_threads(threads);
         }
         let mut read = self.reading.files();
+        read.takes_properties = true;
         let input = self.layers.read(&mut read)?;
         let name = self.layers.name();
         let (input, splitting) = if self.split.is_asked() {

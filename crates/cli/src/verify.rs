@@ -251,7 +251,7 @@ impl Verify {
             return verify_stream(
                 &self.sort,
                 self.level,
-                (&self.input.input, &self.reading.columns),
+                (&self.input.input, self.reading.choice()),
                 result,
             );
         }

@@ -5,6 +5,8 @@ use Format::{
     Vtk, Vtp, Vtu, Wkt, Xyz,
 };
 
+use crate::ReadError;
+
 /// A format of files, named by their extension.
 ///
 /// ```
@@ -75,8 +77,33 @@ pub enum Format {
 }
 
 impl Format {
-    /// Formats of a graph: [`read()`](crate::read()) reads them, [`write_graph`](crate::write_graph) writes them.
+    /// Formats of a graph that [`read()`](crate::read()) reads: [`Format::GRAPHS`], and point clouds with the feature `las`.
     pub const INPUTS: &'static [Format] = &[
+        Node,
+        Poly,
+        Json,
+        Obj,
+        Off,
+        Csv,
+        Xyz,
+        Txt,
+        Ply,
+        Vtk,
+        Vtu,
+        Vtp,
+        Msh,
+        Geojson,
+        Wkt,
+        Npy,
+        Npz,
+        #[cfg(feature = "las")]
+        Format::Las,
+        #[cfg(feature = "las")]
+        Format::Laz,
+    ];
+
+    /// Formats of a graph that [`write_graph`](crate::write_graph) writes, all of which are read.
+    pub const GRAPHS: &'static [Format] = &[
         Node, Poly, Json, Obj, Off, Csv, Xyz, Txt, Ply, Vtk, Vtu, Vtp, Msh, Geojson, Wkt, Npy, Npz,
     ];
 
@@ -91,6 +118,9 @@ impl Format {
         Ele, Node, Json, Cert, Obj, Off, Ply, Vtk, Vtu, Vtp, Msh, Stl, Geojson, Wkt, Npy, Npz, Svg,
         Png,
     ];
+
+    /// Formats that [`raised`](crate::raised) writes as they were read, but for heights.
+    pub const RAISED: &'static [Format] = &[Csv, Xyz, Txt, Geojson];
 
     /// Formats in which [`write_crossings`](crate::write_crossings) lists edges that cross.
     pub const CROSSINGS: &'static [Format] = &[Csv, Json, Geojson];
@@ -135,6 +165,18 @@ impl Format {
     pub fn named(name: &str, formats: &[Format]) -> Option<Format> {
         let mut formats = formats.iter().copied();
         formats.find(|format| format.name().eq_ignore_ascii_case(name))
+    }
+
+    /// Refuses classes of points that were chosen of a file of this name, if the format has none.
+    ///
+    /// # Errors
+    /// There are classes, and the format is no cloud.
+    pub fn expect_classes(self, file: &str, classes: &[u8]) -> Result<(), ReadError> {
+        if classes.is_empty() || matches!(self, Format::Las | Format::Laz) {
+            return Ok(());
+        }
+        let message = format!("a .{} has no classes of points", self.name());
+        Err(ReadError::of_file(file, message))
     }
 
     /// An error's words for a format in which something is neither read nor written.

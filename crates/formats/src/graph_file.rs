@@ -5,7 +5,7 @@ use sweep_cdt::scalar::Scalar;
 
 use crate::order::{order, sorted};
 use crate::remark::{Conflicts, Voids};
-use crate::{CoordinateSystem, Layer, Numbering, Polygons, Remark};
+use crate::{CoordinateSystem, Layer, Numbering, Polygons, Properties, Remark};
 
 /// A graph, all in the order of its file, and what the file says beyond it.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,6 +30,8 @@ pub struct GraphFile<S> {
     pub edge_features: Vec<u32>,
     /// How many features there are; 0, if the format has none.
     pub features: usize,
+    /// The properties of the features that have polygons: see [`GraphFile::without_properties`].
+    pub properties: Properties,
     /// The faces of a mesh. They are no part of the graph: see [`GraphFile::with_faces`].
     pub faces: Faces,
     /// The coordinate system, if the file names one.
@@ -165,6 +167,7 @@ impl<S> From<Pslg<S>> for GraphFile<S> {
             polygons: Polygons::default(),
             edge_features: Vec::new(),
             features: 0,
+            properties: Properties::default(),
             faces: Faces::default(),
             system: None,
             merged: 0,
@@ -316,6 +319,18 @@ impl<S> GraphFile<S> {
         let count = std::mem::take(&mut self.faces).len();
         self.remarks
             .extend((count > 0).then_some(Remark::Faces { count }));
+        self
+    }
+
+    /// The file without the properties of its features, and remarks on them: for what has no triangles to give them to.
+    #[must_use]
+    pub fn without_properties(mut self) -> GraphFile<S> {
+        let ignored = std::mem::take(&mut self.properties).ignored();
+        let is_ignored = |remark: &Remark| matches!(remark, Remark::Ignored { .. });
+        // Remarks of one kind stay together.
+        let place = self.remarks.iter().rposition(is_ignored);
+        let place = place.map_or(self.remarks.len(), |place| place + 1);
+        self.remarks.splice(place..place, ignored);
         self
     }
 

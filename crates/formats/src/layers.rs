@@ -115,6 +115,7 @@ impl<S> GraphFile<S> {
         let features = file.polygons.features.into_iter();
         own.features
             .extend(features.map(|feature| feature + before));
+        self.properties.add(file.properties, before);
         self.remarks
             .extend(file.remarks.into_iter().map(|mut remark| {
                 if let Remark::Conflict { vertex, .. } = &mut remark {

@@ -34,6 +34,7 @@ mod layers;
 mod messages;
 mod numbering;
 mod polygons;
+mod properties;
 mod read;
 mod remark;
 mod seeds;
@@ -47,10 +48,13 @@ pub use format::Format;
 pub use graph_file::{Column, Faces, GraphFile, sorted_pairs};
 pub use numbering::{Layer, Numbering};
 pub use polygons::Polygons;
+pub use properties::Properties;
+#[cfg(feature = "las")]
+pub use read::Cloud;
 pub use read::ply_parts as ply;
 pub use read::{
     Input, Listed, Matched, Matching, Nearest, Precision, ReadError, ReadErrorKind, ResultError,
-    Source, Triangles, WayOut, added_points, named_columns, named_height, quoted, read,
+    Source, Triangles, WayOut, added_points, named_columns, named_height, quoted, raised, read,
     read_result, reason,
 };
 pub use remark::{NoTriangles, Remark, Voids};
@@ -60,9 +64,9 @@ pub use system::CoordinateSystem;
 #[cfg(feature = "geotiff")]
 pub use write::write_geotiff;
 pub use write::{
-    Cell, LineWriter, RasterHead, Ridges, edges_along, json_coordinate, not_written, write,
-    write_asc, write_cells, write_certificate, write_crossings, write_graph, write_interior,
-    write_lines, write_node, write_ridges, write_violations,
+    Cell, LineWriter, RasterHead, Ridges, StreamCertificate, edges_along, json_coordinate,
+    not_written, one_word, write, write_asc, write_cells, write_certificate, write_crossings,
+    write_graph, write_interior, write_lines, write_node, write_ridges, write_violations,
 };
 
 /// The example of the README, as a test.

@@ -99,6 +99,7 @@ impl<S: Coordinate> GraphFile<S> {
             polygons: self.polygons.of_pieces(pieces_of, edges.len()),
             edge_features: pieces_of.iter().filter_map(feature).collect(),
             features: self.features,
+            properties: self.properties.clone(),
             faces: self.faces.clone(),
             system: self.system.clone(),
             merged: self.merged,

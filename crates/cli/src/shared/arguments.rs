@@ -21,8 +21,8 @@ use super::outputs::{Destination, Outputs, refuse_read, refuse_twice};
 /// Arguments that name an input.
 #[derive(clap::Args)]
 pub(crate) struct InputArgs {
-    /// File to read: .node, .poly, .json, .obj, .off, .csv, .xyz, .txt, .ply, .vtk, .vtu, .vtp, .msh, .geojson, .wkt, .npy
-    /// or .npz; `-` for standard input
+    /// File to read: .node, .poly, .json, .obj, .off, .csv, .xyz, .txt, .ply, .vtk, .vtu, .vtp, .msh, .geojson, .wkt, .npy,
+    /// .npz, or .las and .laz in a build with the feature `las`; `-` for standard input
     #[arg(value_name = "INPUT")]
     pub(crate) input: FileArgument,
 
@@ -66,6 +66,11 @@ impl InputArgs {
             self.input_format,
             Format::INPUTS,
         )
+    }
+
+    /// Whether it is a cloud of points, which have classes.
+    pub(crate) fn is_cloud(&self) -> bool {
+        matches!(self.format(), Ok(Format::Las | Format::Laz))
     }
 
     /// Reads the input; `show` is called with each file that is read.

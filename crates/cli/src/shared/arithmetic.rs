@@ -149,6 +149,7 @@ pub(crate) fn as_rationals(name: &str, input: Input) -> Result<GraphFile<BigRati
         polygons: file.polygons,
         edge_features: file.edge_features,
         features: file.features,
+        properties: file.properties,
         faces: file.faces,
         system: file.system,
         merged: file.merged,

@@ -10,6 +10,8 @@ use bytesize::ByteSize;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use sweep_cdt_formats::{Coordinate, Format, GraphFile, ReadError, Remark, Source, reason};
 
+use sweep_cdt_stream::external::Choice;
+
 use super::failure::{Failure, note, printable};
 use super::resources::has_room;
 use super::unread;
@@ -87,7 +89,10 @@ pub(crate) fn format_of_input(
         .ok_or_else(|| {
             let name = file.input_name();
             if let Some(command) = file.path().and_then(unread::command) {
-                return Failure::Error(format!("{name} is not read: convert it, {command}"));
+                // Where points alone are read, those of clouds are.
+                let feature = file.path().filter(|_| formats.contains(&Format::Csv));
+                let build = feature.and_then(unread::build).unwrap_or_default();
+                return Failure::Error(format!("{name} is not read{build}: convert it, {command}"));
             }
             let other = file.path().and_then(unread::other_name);
             if let Some(format) = other.and_then(|name| Format::named(name, formats)) {
@@ -145,7 +150,11 @@ pub(crate) struct ReadingArgs {
 
     /// The columns of a .csv, .xyz or .txt that are x, y and perhaps z, by their names or their places from 1 on
     #[arg(long, value_name = "X,Y[,Z]", value_delimiter = ',')]
-    pub(crate) columns: Vec<String>,
+    columns: Vec<String>,
+
+    /// Of a .las or .laz the points of these classes alone: 2 is the ground. Numbers of points count no others
+    #[arg(long = "class", value_name = "CLASS", value_delimiter = ',')]
+    classes: Vec<u8>,
 
     /// A number that means that there is none, in heights and other columns of vertices: -9999, for example
     #[arg(long, value_name = "NUMBER", allow_negative_numbers = true)]
@@ -155,7 +164,7 @@ pub(crate) struct ReadingArgs {
     #[arg(long)]
     strict: bool,
 
-    /// Most bytes that what is packed in a .vtu, .vtp or .npz may unpack to: 500M, 16G or 2GiB, for example [default: 16MiB,
+    /// Most bytes that what is packed in a .vtu, .vtp, .npz or .laz may unpack to: 500M, 16G or 2GiB, for example [default: 16MiB,
     /// or 32 times the file's size]
     #[arg(long, value_name = "SIZE", value_parser = size)]
     unpacked_limit: Option<ByteSize>,
@@ -168,6 +177,15 @@ pub(crate) fn size(text: &str) -> Result<ByteSize, String> {
 }
 
 impl ReadingArgs {
+    /// What is read of a file that is read in pieces.
+    pub(crate) fn choice(&self) -> Choice {
+        Choice {
+            columns: self.columns.clone(),
+            classes: self.classes.clone(),
+            ..Choice::default()
+        }
+    }
+
     /// No files; those that will be read are read so.
     pub(crate) fn files(&self) -> FilesRead {
         FilesRead {
@@ -175,9 +193,12 @@ impl ReadingArgs {
             unpacked_limit: self.unpacked_limit,
             height_property: self.height_property.clone(),
             columns: self.columns.clone(),
+            classes: self.classes.clone(),
             no_value: self.no_value,
             has_faces: self.faces,
             takes_areas: false,
+            takes_properties: false,
+            keeps_text: false,
             has_settings: true,
             is_strict: self.strict,
         }
@@ -192,10 +213,16 @@ pub(crate) struct FilesRead {
     height_property: Option<String>,
     /// The columns of the next file.
     pub(crate) columns: Vec<String>,
+    /// The classes of the points of the next file that are read, if they are chosen.
+    pub(crate) classes: Vec<u8>,
     no_value: Option<f64>,
     has_faces: bool,
     /// Whether greatest areas of regions count.
     pub(crate) takes_areas: bool,
+    /// Whether properties of features count.
+    pub(crate) takes_properties: bool,
+    /// Whether the next file is written as it was read, but for heights: nothing of it gets lost, and none is read.
+    pub(crate) keeps_text: bool,
     /// Whether the settings that remarks name can be given.
     has_settings: bool,
     is_strict: bool,
@@ -228,8 +255,9 @@ impl FilesRead {
                     Some(ByteSize(bytes)) => source.unpacked_limit(bytes),
                     None => source,
                 };
-                // The chosen columns are those of the input, which is read first.
+                // The chosen columns and classes are those of the input, which is read first.
                 let source = source.columns(std::mem::take(&mut self.columns));
+                let source = source.classes(std::mem::take(&mut self.classes));
                 Ok(match &self.height_property {
                     Some(name) => source.height_property(name),
                     None => source,
@@ -253,13 +281,27 @@ impl FilesRead {
             })?;
         }
         file = file.without_faces();
+        if !self.takes_properties && !self.keeps_text {
+            file = file.without_properties();
+        }
         if !self.takes_areas {
             file = file.without_areas();
         }
-        if let Some(value) = self.no_value {
+        if let Some(value) = self.no_value.filter(|_| !self.keeps_text) {
             file = file.without_value(value);
         }
-        file = file.with_voids_said();
+        if !self.keeps_text {
+            file = file.with_voids_said();
+        }
+        let is_of_text = |remark: &Remark| {
+            use Remark::{Conflict, HeightProperty, Ignored};
+            matches!(
+                remark,
+                Ignored { .. } | Conflict { .. } | HeightProperty { .. }
+            )
+        };
+        file.remarks
+            .retain(|remark| !(self.keeps_text && is_of_text(remark)));
         self.say_of(name, &file)?;
         file.remarks.clear();
         Ok(file)
@@ -316,6 +358,12 @@ impl FilesRead {
         let metadata = fs::metadata(path).ok().filter(Metadata::is_file);
         let identity = metadata.and_then(|metadata| Identity::there(path, &metadata).ok());
         self.identities.extend(identity);
+    }
+
+    /// Notes the file that standard input is, if it is one.
+    pub(crate) fn add_standard(&mut self) {
+        let which = standard_input().filter(|(kind, _)| kind.is_file());
+        self.identities.extend(which.map(|(_, identity)| identity));
     }
 
     /// Whether this file was read.

@@ -10,8 +10,8 @@ use super::files::{FileArgument, FilesRead, by_extension, format_parser};
 /// Arguments that name the files of an input.
 #[derive(clap::Args)]
 pub(crate) struct LayersArgs {
-    /// File to read: .node, .poly, .json, .obj, .off, .csv, .xyz, .txt, .ply, .vtk, .vtu, .vtp, .msh, .geojson, .wkt, .npy
-    /// or .npz; `-` for standard input. Several are layers of one input: contour lines, a border and breaklines, for example
+    /// File to read: .node, .poly, .json, .obj, .off, .csv, .xyz, .txt, .ply, .vtk, .vtu, .vtp, .msh, .geojson, .wkt, .npy,
+    /// .npz, or .las and .laz in a build with the feature `las`; `-` for standard input. Several are layers of one input: contour lines, a border and breaklines, for example
     #[arg(value_name = "INPUT", required = true)]
     inputs: Vec<FileArgument>,
 
@@ -33,12 +33,20 @@ impl LayersArgs {
     /// Reads the input.
     pub(crate) fn read(&self, files: &mut FilesRead) -> Result<Input, Failure> {
         let columns = std::mem::take(&mut files.columns);
-        let mut layers = Vec::with_capacity(self.inputs.len());
-        for file in &self.inputs {
+        let classes = std::mem::take(&mut files.classes);
+        let input = |file: &FileArgument| {
             let tells = self.inputs.len() > 1 && by_extension(file, Format::INPUTS).is_some();
-            let format = self.input_format.filter(|_| !tells);
+            InputArgs::new(file.clone(), self.input_format.filter(|_| !tells))
+        };
+        let inputs: Vec<InputArgs> = self.inputs.iter().map(input).collect();
+        let has_clouds = inputs.iter().any(InputArgs::is_cloud);
+        let mut layers = Vec::with_capacity(inputs.len());
+        for input in inputs {
             files.columns.clone_from(&columns);
-            let input = InputArgs::new(file.clone(), format);
+            // Classes are those of clouds; where there is none, they are refused.
+            if input.is_cloud() || !has_clouds {
+                files.classes.clone_from(&classes);
+            }
             layers.push((input.name(), input.read(files, |_| ())?));
         }
         if layers.len() == 1 {

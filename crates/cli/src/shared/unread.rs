@@ -90,6 +90,15 @@ pub(super) fn command(path: &Path) -> Option<String> {
     })
 }
 
+/// The words for a file that another build reads, and how that is made.
+pub(super) fn build(path: &Path) -> Option<&'static str> {
+    let extension = path.extension()?.to_str()?.to_ascii_lowercase();
+    let is_cloud = ["las", "laz"].contains(&extension.as_str());
+    (is_cloud && !cfg!(feature = "las")).then_some(
+        " by a build without the feature `las` (`cargo install --path crates/cli --features las` makes one with it)",
+    )
+}
+
 /// The name of a format that is read, where a file has another extension of it.
 pub(super) fn other_name(path: &Path) -> Option<&'static str> {
     let extension = path.extension()?.to_str()?.to_ascii_lowercase();

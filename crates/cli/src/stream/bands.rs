@@ -25,7 +25,7 @@ impl StreamCommand {
         let name = self.input.input_name();
         let sorted = self
             .sort
-            .sorted(&self.input, self.choice(None), |remarks| {
+            .sorted(&self.input, self.choice(false), |remarks| {
                 read.say(&name, remarks)
             })?;
         fs::create_dir_all(folder).map_err(|error| Failure::of_file(folder, &error))?;

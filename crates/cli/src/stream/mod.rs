@@ -3,6 +3,7 @@
 mod bands;
 mod beside;
 mod join;
+mod node;
 mod numbers;
 mod order;
 mod output;
@@ -17,6 +18,7 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use sweep_cdt::Triangulator;
+use sweep_cdt_engine::Remark;
 use sweep_cdt_stream::external::{Choice, Statistics, Summary, SweepOrder};
 use sweep_cdt_stream::{Final, Stream, StreamError, StreamStats, StreamVerifier, StreamViolation};
 
@@ -26,10 +28,11 @@ use crate::shared::outputs::{Destination, refuse_read, refuse_twice};
 use crate::shared::resources::Progress;
 use crate::shared::terrain::no_heights;
 pub(crate) use join::Join;
+use node::Node;
 pub(crate) use order::SortArgs;
 use order::is_one_place;
 use output::{Format, Triangles};
-use terrain::{Passing, Terrain, TerrainOutputs};
+use terrain::{Passing, RasterFormat, Terrain, TerrainOutputs};
 pub(crate) use verify::verify_stream;
 use writing::Targets;
 
@@ -49,14 +52,16 @@ const STEP: u64 = 1 << 16;
 #[derive(clap::Args)]
 #[command(after_long_help = AFTER_HELP)]
 pub(crate) struct StreamCommand {
-    /// Points and edges: .f64 (doubles, x and y of each point), .ply, .node, .poly, .csv, .xyz or .txt
+    /// Points and edges: .f64 (doubles, x and y of each point), .ply, .node, .poly, .csv, .xyz or .txt; `-` for standard
+    /// input, which is copied to a temporary file
     #[arg(value_name = "INPUT")]
     input: FileArgument,
 
     #[command(flatten)]
     sort: SortArgs,
 
-    /// File to write the triangles to, counter-clockwise: .u32 or .u64 (raw numbers), .ele or .ply; `-` for standard output
+    /// File to write the triangles to, counter-clockwise: .u32 or .u64 (raw numbers), .ele, .ply or .cert; `-` for standard
+    /// output
     #[arg(short, long = "output", value_name = "OUTPUT")]
     output: Option<FileArgument>,
 
@@ -90,7 +95,7 @@ pub(crate) struct StreamCommand {
     #[arg(long = "class", value_name = "CLASS", value_delimiter = ',')]
     classes: Vec<u8>,
 
-    /// Refuse inputs that say more than points and edges: heights, for example
+    /// Refuse inputs that say more than is read, and outputs that have no room for all that is
     #[arg(long)]
     strict: bool,
 
@@ -113,24 +118,29 @@ Output:
   .u32, .u64
            three numbers for each triangle, little-endian, of 32 or 64 bits: the positions of its
            corners among the points of the input, from 0. NumPy reads them by fromfile
-  .ele     Triangle's elements, with the numbers that a .node or .poly gives its vertices
-  .ply     binary: the points in the order of the input, and the triangles. Their z is the height, NaN
-           where it is missing, or 0 where the input has no heights
+  .ele     Triangle's elements, with the numbers of the input. A .node beside it gets the points with
+           their heights and other columns, unless it was read, or --vertices is given. One that is
+           there must have the same contents
+  .ply     binary: the points in the order of the input with all columns, and the triangles. Their z is
+           the height, NaN where it is missing, or 0 where the input has no heights
+  .cert    a certificate for the proved checker, which reads it in as little memory. Equal points are
+           there once, and edges of no length are left out
   .geojson, .wkt
            contour lines (--contours), those of `sweep-cdt contours`, in the order in which they are
            complete
   .asc     a grid of heights (--raster), those of `sweep-cdt heights` at the centres of its cells;
            NODATA_value outside
-  .tif     the same as GeoTIFF of doubles, in a build with the feature `geotiff`; NaN outside
+  .tif     the same as GeoTIFF of doubles, in a build with the feature `geotiff`; NaN outside. It has
+           the coordinate system of a .las or .laz that names one by a number of the EPSG
   Where more stays alive than --memory holds, the triangles up to there are written to a file whose
   name ends in .incomplete. A run that fails otherwise writes no file.
 Memory:
   --memory is for sorting, and then a half for merging and a half for vertices: those that are
   alive and those of a window. A vertex alive takes 800 bytes of it, and two windows are allowed
   whatever it is. The program itself takes up to 48 MiB more. No option bounds the edges of a vertex
-  or window, those open at the sweep line, and what --check keeps of sides that wait. With contour
-  lines or a grid a vertex alive takes 2,240 bytes, and lines that are longer than a sixteenth of
-  --memory are written in parts.
+  or window, those open at the sweep line, and what --check and a .cert keep of sides that wait.
+  With contour lines or a grid a vertex alive takes 2,240 bytes, and lines that are longer than a
+  sixteenth of --memory are written in parts.
 
 Exit status:
   0  done   1  wrong input, or too much alive   2  wrong usage
@@ -213,23 +223,35 @@ impl StreamCommand {
         let part = destination.as_ref().map(Destination::part).transpose()?;
         let part = part.flatten();
         let read = self.sort.files(&self.input, self.strict);
+        let node = match (format, &destination) {
+            (Some(Format::Ele), Some(ele)) if vertices.is_none() => Node::beside(ele, &read)?,
+            _ => None,
+        };
+        let has_columns = format == Some(Format::Ply) || node.is_some();
         let all = || {
             destination
                 .iter()
                 .chain(&part)
                 .chain(&vertices)
                 .chain(terrain.all())
+                .chain(node.iter().filter_map(Node::written))
         };
         refuse_read(&read, all())?;
         refuse_twice(all())?;
         let name = self.input.input_name();
         let sorted = self
             .sort
-            .sorted(&self.input, self.choice(format), |remarks| {
+            .sorted(&self.input, self.choice(has_columns), |remarks| {
                 read.say(&name, remarks)
             })?;
         if self.terrain.is_asked() && !sorted.has_heights {
             return Err(no_heights(&name));
+        }
+        if let (Some(system), Some((raster, RasterFormat::Asc))) = (&sorted.system, &terrain.raster)
+        {
+            let what = vec![format!("the coordinate system {}", system.name())];
+            let raster = raster.name.display().to_string();
+            read.say(&raster, &[Remark::NotWritten { what }])?;
         }
         let summary = sorted.order.summary();
         if let Some(format) = format {
@@ -243,6 +265,7 @@ impl StreamCommand {
         let targets = Targets {
             triangles: destination.zip(format),
             vertices,
+            node,
             terrain,
         };
         let outcome = self.written(sorted, targets, &read)?;
@@ -253,11 +276,12 @@ impl StreamCommand {
     }
 
     /// The parts of the input that are read.
-    fn choice(&self, format: Option<Format>) -> Choice {
+    fn choice(&self, has_columns: bool) -> Choice {
         Choice {
             columns: self.columns.clone(),
             classes: self.classes.clone(),
-            heights: self.terrain.is_asked() || format == Some(Format::Ply),
+            heights: self.terrain.is_asked() || has_columns,
+            others: has_columns,
         }
     }
 
@@ -265,11 +289,12 @@ impl StreamCommand {
     fn swept(
         &self,
         order: &mut SweepOrder,
-        mut triangles: Option<&mut Triangles<'_, '_, '_>>,
+        triangles: Option<&mut Triangles<'_, '_, '_>>,
         mut vertices: Option<&mut dyn Write>,
         terrain: Option<&Passing<'_>>,
     ) -> Result<StreamStats, Trouble> {
-        let is_renumbered = vertices.is_some();
+        let is_renumbered =
+            vertices.is_some() || triangles.as_ref().is_some_and(|out| out.is_certificate());
         // The stream then numbers distinct vertices as they come.
         let is_counted = is_renumbered || terrain.is_some();
         let Summary { points, x, .. } = order.summary();
@@ -277,6 +302,7 @@ impl StreamCommand {
         // What the closure meets cannot end the stream from there.
         let trouble = std::cell::RefCell::new(None);
         let verifier = std::cell::RefCell::new(self.check.then(StreamVerifier::new));
+        let triangles = std::cell::RefCell::new(triangles);
         let mut found = |found| {
             let mut trouble = trouble.borrow_mut();
             if trouble.is_some() {
@@ -285,18 +311,22 @@ impl StreamCommand {
             if let Some(Err(error)) = terrain.map(|terrain| terrain.found(&found)) {
                 *trouble = Some(Trouble::Terrain(error));
             }
+            let named = match (found, terrain) {
+                (Final::Triangle { corners, .. }, Some(terrain)) if !is_renumbered => {
+                    Some(corners.map(|v| terrain.number(v)))
+                }
+                (Final::Triangle { corners, .. }, _) => Some(corners),
+                _ => None,
+            };
+            let mut triangles = triangles.borrow_mut();
+            if let Some(Err(error)) = triangles.as_mut().map(|out| out.found(&found, named)) {
+                *trouble = Some(Trouble::Out(error));
+            }
             if let Final::Triangle {
                 corners,
                 constrained,
             } = found
             {
-                let named = match terrain {
-                    Some(terrain) if !is_renumbered => corners.map(|v| terrain.number(v)),
-                    _ => corners,
-                };
-                if let Some(Err(error)) = triangles.as_mut().map(|out| out.write(named)) {
-                    *trouble = Some(Trouble::Out(error));
-                }
                 let mut verifier = verifier.borrow_mut();
                 let verifier = verifier.as_mut();
                 let judged = verifier.map(|verifier| verifier.triangle(corners, Some(constrained)));
@@ -338,6 +368,11 @@ impl StreamCommand {
                 let bytes = point.map(f64::to_le_bytes);
                 out.write_all(bytes.as_flattened()).map_err(Trouble::Out)?;
             }
+            if known.is_none()
+                && let Some(out) = triangles.borrow_mut().as_mut()
+            {
+                out.vertex(point).map_err(Trouble::Out)?;
+            }
             stream.push(number, point).map_err(Trouble::Stream)?;
             if let Some(terrain) = terrain {
                 terrain.forget(&stream);
@@ -364,6 +399,9 @@ impl StreamCommand {
             last = Some((point, first));
             for &(edge, upper) in vertex.upper {
                 stream.edge(edge, upper).map_err(Trouble::Stream)?;
+                if let Some(out) = triangles.borrow_mut().as_mut() {
+                    out.edge(upper);
+                }
             }
             done += 1;
             if done.is_multiple_of(STEP) {

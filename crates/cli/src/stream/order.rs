@@ -1,11 +1,14 @@
 //! Input of a stream: what is read, with which memory it is sorted, and where its temporary files go.
 
+use std::fs::File;
+use std::io;
 use std::path::{Path, PathBuf};
 
 use bytesize::ByteSize;
 use sweep_cdt_engine::Remark;
+use sweep_cdt_formats::{CoordinateSystem, ReadError};
 use sweep_cdt_stream::external::{
-    Choice, Error, FORMATS, Format, Input, Sorting, SweepOrder, open_chosen,
+    Choice, Error, FORMATS, Format, Input, Sorting, SweepOrder, open_chosen, read_chosen,
 };
 
 use crate::shared::failure::Failure;
@@ -44,16 +47,47 @@ pub(super) struct Sorted {
     pub(super) first_edge: u64,
     /// Whether the vertices come with heights.
     pub(super) has_heights: bool,
-    path: PathBuf,
+    /// The names of the other columns.
+    pub(super) columns: Vec<String>,
+    pub(super) system: Option<CoordinateSystem>,
+    from: From,
     format: Format,
     choice: Choice,
 }
 
+/// Where an input is.
+enum From {
+    Path(PathBuf),
+    /// In a temporary file, to which standard input was copied.
+    Spooled(File),
+}
+
+impl From {
+    fn open(
+        &self,
+        format: Format,
+        edges: Option<&Path>,
+        choice: &Choice,
+    ) -> Result<Box<dyn Input>, ReadError> {
+        match self {
+            From::Path(path) => open_chosen(path, format, edges, choice),
+            From::Spooled(file) => {
+                let name = FileArgument::Standard.input_name();
+                read_chosen(&name, file, format, edges, choice)
+            }
+        }
+    }
+}
+
 impl Sorted {
+    /// Whether a column of markers is one by its format, so that its numbers are whole.
+    pub(super) fn has_markers(&self) -> bool {
+        matches!(self.format, Format::Node | Format::Poly)
+    }
+
     /// The points once more, as the input has them.
     pub(super) fn points(&self) -> Result<Box<dyn Input>, Error> {
-        let opened = open_chosen(&self.path, self.format, None, &self.choice);
-        Ok(opened?)
+        Ok(self.from.open(self.format, None, &self.choice)?)
     }
 }
 
@@ -88,6 +122,9 @@ impl SortArgs {
         // The vertices of a `.poly` may be beside it.
         let node = input.beside("node");
         let paths = [input.path(), node.as_ref().and_then(FileArgument::path)];
+        if input.is_standard() {
+            files.add_standard();
+        }
         for path in paths.into_iter().flatten().chain(self.edges.as_deref()) {
             files.add(path);
         }
@@ -101,13 +138,12 @@ impl SortArgs {
         choice: Choice,
         say: impl Fn(&[Remark]) -> Result<(), Failure>,
     ) -> Result<Sorted, Failure> {
-        let Some(path) = input.path() else {
-            let message =
-                "a stream is read from a file, since its size must be known: write INPUT to a file";
-            return Err(Failure::Usage(message.to_owned()));
-        };
         let format = format_of_input(input, "--stream-format", self.stream_format, FORMATS)?;
-        let mut opened = open_chosen(path, format, self.edges.as_deref(), &choice)?;
+        let from = match input.path() {
+            Some(path) => From::Path(path.to_owned()),
+            None => From::Spooled(self.spooled()?),
+        };
+        let mut opened = from.open(format, self.edges.as_deref(), &choice)?;
         let said = opened.remarks();
         say(&said)?;
         let order = self.order(&mut *opened, &self.folder());
@@ -121,10 +157,27 @@ impl SortArgs {
             first_point,
             first_edge,
             has_heights: opened.heights().is_some(),
-            path: path.to_owned(),
+            columns: opened
+                .columns()
+                .iter()
+                .map(|column| column.name.clone())
+                .collect(),
+            system: opened.system(),
+            from,
             format,
             choice,
         })
+    }
+
+    /// Standard input until it ends, in a temporary file without a name.
+    fn spooled(&self) -> Result<File, Failure> {
+        let folder = self.folder();
+        let spooled = || {
+            let mut file = tempfile::tempfile_in(&folder)?;
+            io::copy(&mut io::stdin().lock(), &mut file)?;
+            Ok(file)
+        };
+        spooled().map_err(|error| Failure::of_file(&folder, &error))
     }
 
     /// What ends a run that cannot sort, with the option that helps.

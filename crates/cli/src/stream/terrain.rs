@@ -8,12 +8,15 @@ use std::path::{Path, PathBuf};
 
 use num_rational::BigRational;
 use sweep_cdt_engine::Remark;
-use sweep_cdt_formats::{Column, Coordinate, LineWriter, RasterHead, Voids, write_asc};
-use sweep_cdt_stream::external::{Format, Summary, Vertex};
+use sweep_cdt_formats::{
+    Column, Coordinate, CoordinateSystem, LineWriter, RasterHead, Voids, write_asc,
+};
+use sweep_cdt_stream::external::{Format, Vertex};
 use sweep_cdt_stream::{Carried, Final};
 use sweep_cdt_terrain::{Contour, Corner, Grid, LevelsError, PassingContours, Raster, levels};
 
 use super::SortArgs;
+use super::order::Sorted;
 use crate::contours::number;
 use crate::shared::failure::Failure;
 use crate::shared::files::{FileArgument, format_of_output};
@@ -96,10 +99,15 @@ impl TerrainOutputs {
         if let Some(path) = &self.raster {
             let name = path.display().to_string();
             let Some((_, format)) = RASTERS.iter().find(|(end, _)| name.ends_with(end)) else {
-                let known: Vec<&str> = RASTERS.iter().map(|(end, _)| *end).collect();
-                let known = known.join(" or ");
+                let tiff = match RASTERS.len() {
+                    1 => {
+                        ", or in .tif with a build that has the feature `geotiff` (`cargo install --path crates/cli \
+                         --features geotiff`)"
+                    }
+                    _ => " or .tif",
+                };
                 let message =
-                    format!("{name} is no name for a grid of heights: let it end in {known}");
+                    format!("{name} is no name for a grid of heights: let it end in .asc{tiff}");
                 return Err(Failure::Usage(message));
             };
             targets.raster = Some((Destination::of_path(path.clone())?, *format));
@@ -119,12 +127,13 @@ impl TerrainOutputs {
     pub(super) fn begin(
         &self,
         name: &str,
-        summary: &Summary,
+        sorted: &Sorted,
         sort: &SortArgs,
     ) -> Result<Option<Terrain>, Failure> {
         if !self.is_asked() {
             return Ok(None);
         }
+        let summary = sorted.order.summary();
         let failure =
             |error: &dyn ToString| Failure::Error(format!("{name}: {}", error.to_string()));
         // A sixteenth of the memory each.
@@ -169,6 +178,7 @@ impl TerrainOutputs {
             raster,
             words,
             lowest: low,
+            system: sorted.system.clone(),
             lines: [0; 2],
             missing: 0,
             conflict: None,
@@ -196,6 +206,7 @@ pub(super) struct Terrain {
     /// Heights and levels in words.
     words: String,
     lowest: f64,
+    system: Option<CoordinateSystem>,
     /// How many lines have been written, and how many of them are closed.
     lines: [u64; 2],
     /// How many triangles have a corner without a height.
@@ -222,7 +233,8 @@ impl Terrain {
         &'a mut self,
         lines: Option<(&'a mut dyn Write, Format)>,
     ) -> io::Result<Passing<'a>> {
-        let begin = |(out, format)| LineWriter::begin(format, None, out);
+        let system = self.system.as_ref();
+        let begin = |(out, format)| LineWriter::begin(format, system, out);
         Ok(Passing {
             lines: RefCell::new(lines.map(begin).transpose()?),
             terrain: RefCell::new(self),
@@ -246,6 +258,7 @@ impl Terrain {
             corners: grid.corners(),
             cell: grid.cell(),
             lowest: self.lowest,
+            system: self.system.clone(),
         };
         match format {
             RasterFormat::Asc => write_asc(&head, |row| raster.each_row(row), out),

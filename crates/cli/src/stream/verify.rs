@@ -45,7 +45,7 @@ impl From<Failure> for Ended {
 pub(crate) fn verify_stream(
     sort: &SortArgs,
     level: Level,
-    (input, columns): (&FileArgument, &[String]),
+    (input, choice): (&FileArgument, Choice),
     result: &FileArgument,
 ) -> Result<(), Failure> {
     let Some(path) = result.path() else {
@@ -53,10 +53,6 @@ pub(crate) fn verify_stream(
         return Err(Failure::Usage(message.to_owned()));
     };
     let triangles = Triangles::open(path)?;
-    let choice = Choice {
-        columns: columns.to_vec(),
-        ..Choice::default()
-    };
     let Sorted { order, .. } = sort.sorted(input, choice, |_| Ok(()))?;
     let (what, all) = (level.title(), triangles.left());
     let [input, result] = [input, result].map(FileArgument::input_name);

@@ -9,6 +9,7 @@ use sweep_cdt_stream::external::{Format as LineFormat, SweepOrder};
 use sweep_cdt_stream::{StreamError, StreamStats};
 
 use super::beside::Beside;
+use super::node::Node;
 use super::order::Sorted;
 use super::output::{self, Format, Triangles};
 use super::terrain::{Passing, Terrain, TerrainTargets};
@@ -31,6 +32,8 @@ pub(super) struct Written<'a, 'w> {
 pub(super) struct Targets {
     pub(super) triangles: Option<(Destination, Format)>,
     pub(super) vertices: Option<Destination>,
+    /// The `.node` beside the triangles.
+    pub(super) node: Option<Node>,
     pub(super) terrain: TerrainTargets,
 }
 
@@ -49,10 +52,15 @@ impl StreamCommand {
             None => first_point,
             Some(_) => 0,
         };
-        let mut terrain = self.terrain.begin(&name, &summary, &self.sort)?;
+        let mut terrain = self.terrain.begin(&name, &sorted, &self.sort)?;
         let (triangles, format) = targets.triangles.unzip();
         let (lines, line_format) = targets.terrain.lines.unzip();
-        let [mut outputs, mut of_vertices, mut of_terrain] = [(); 3].map(|()| Outputs::default());
+        let [mut outputs, mut of_vertices, mut of_terrain, mut of_node] =
+            [(); 4].map(|()| Outputs::default());
+        if let Some(node) = targets.node {
+            node.write(&sorted, &mut of_node)?;
+        }
+        let columns = sorted.columns.clone();
         let mut outcome = None;
         let written = with(&mut of_terrain, lines, |lines| {
             with(&mut of_vertices, targets.vertices, |vertices| {
@@ -79,7 +87,11 @@ impl StreamCommand {
         if outcome.is_kept() {
             let is_whole = written?;
             if let Some(format) = format {
-                outputs.rewrite_beginning(&format.beginning(summary.points, outcome.written))?;
+                outputs.rewrite_beginning(&format.beginning(
+                    summary.points,
+                    &columns,
+                    outcome.written,
+                ))?;
             }
             if let Some(mut terrain) = terrain {
                 if let Ok(stats) = &outcome.ended {
@@ -93,6 +105,7 @@ impl StreamCommand {
                     })?;
                 }
             }
+            outputs.append(of_node);
             outputs.append(of_vertices);
             outputs.append(of_terrain);
             outputs.finish()?;
@@ -107,12 +120,11 @@ impl StreamCommand {
         mut out: Written<'a, '_>,
         terrain: Option<&'a mut Terrain>,
     ) -> Outcome {
-        let summary = sorted.order.summary();
         let mut since = Instant::now();
-        let begun = out.triangles.as_mut().map_or(Ok(()), |(out, format)| {
-            let points = || sorted.points().map_err(Trouble::Order);
-            output::begin(out, *format, &summary, points)
-        });
+        let begun = out
+            .triangles
+            .as_mut()
+            .map_or(Ok(()), |(out, format)| output::begin(out, *format, &sorted));
         let mut written = 0;
         let ended = begun.and_then(|()| {
             since = Instant::now();
@@ -150,9 +162,10 @@ impl StreamCommand {
         let shared = Mutex::new(triangles);
         thread::scope(|scope| {
             let beside = Beside::new(scope, &shared);
-            let mut triangles = Triangles::new(beside, format, out.first);
+            let mut triangles = Triangles::new(beside, format, out.first, &order.summary());
             let ended = self.swept(order, Some(&mut triangles), out.vertices, terrain);
-            match (ended, triangles.finish()) {
+            let is_whole = ended.is_ok();
+            match (ended, triangles.finish(is_whole)) {
                 // Both would be kept, and are not all written.
                 (Ok(_) | Err(Trouble::Stream(StreamError::TooMuchAlive { .. })), Err(error)) => {
                     Err(Trouble::Out(error))

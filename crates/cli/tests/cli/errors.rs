@@ -297,6 +297,9 @@ fn a_missing_format_is_asked_for_by_its_option() {
         let name = option.split(' ').next().expect("a name");
         let message = text(&asked.stderr);
         let known = match name {
+            "--input-format" if cfg!(feature = "las") => {
+                "node, poly, json, obj, off, csv, xyz, txt, ply, vtk, vtu, vtp, msh, geojson, wkt, npy, npz, las, laz"
+            }
             "--input-format" => {
                 "node, poly, json, obj, off, csv, xyz, txt, ply, vtk, vtu, vtp, msh, geojson, wkt, npy, npz"
             }

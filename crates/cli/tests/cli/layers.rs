@@ -253,3 +253,43 @@ fn layers_are_refused_where_there_is_one_input() {
     assert_eq!(read(&folder, "border.geojson"), BORDER);
     assert_eq!(printed(&run(&folder, "border.geojson -o a.svg")), "");
 }
+
+/// Triangles have the properties of the feature that covers them, in the order of the files. Outputs without room say so.
+#[test]
+fn triangles_have_the_properties_of_their_features() {
+    let area = |name: &str, x: u8| {
+        let ring = format!("[[{x},0],[{},0],[{x},4],[{x},0]]", x + 4);
+        format!(
+            r#"{{"type":"Feature","properties":{{"name":"{name}"}},"geometry":{{"type":"Polygon","coordinates":[{ring}]}}}}"#
+        )
+    };
+    let folder = folder(&[
+        ("a.geojson", &area("meadow", 0)),
+        ("b.geojson", &area("pond", 4)),
+    ]);
+    let output = run(&folder, "a.geojson b.geojson -o t.geojson --strict");
+    assert_eq!((text(&output.stderr), output.status.code()), ("", Some(0)));
+    let written = read(&folder, "t.geojson");
+    for named in [
+        r#""properties":{"feature":1,"name":"meadow"}"#,
+        r#""properties":{"feature":2,"name":"pond"}"#,
+    ] {
+        assert_eq!(written.matches(named).count(), 1, "{written}");
+    }
+    for (arguments, what) in [
+        (
+            "-o t.wkt",
+            "t.wkt: not written: features of triangles, the property `name`",
+        ),
+        (
+            "-o t.geojson --inside hull",
+            "t.geojson: not written: the property `name`",
+        ),
+    ] {
+        let output = run(&folder, &format!("a.geojson {arguments}"));
+        assert_eq!(text(&output.stderr), format!("note: {what}\n"));
+    }
+    let output = sweep_cdt(&folder, "crossings a.geojson").output();
+    let note = "note: a.geojson: ignored: 1 property `name`\n";
+    assert_eq!(text(&output.expect("the command starts").stderr), note);
+}

@@ -4,6 +4,8 @@ mod advice;
 mod bands;
 mod bent;
 mod bounds;
+#[cfg(feature = "las")]
+mod clouds;
 mod crossings;
 mod depths;
 mod documents;
@@ -30,6 +32,7 @@ mod statistics;
 #[cfg(target_os = "linux")]
 mod stopped;
 mod stream;
+mod stream_certificates;
 #[cfg(target_os = "linux")]
 mod stream_memory;
 mod stream_outputs;

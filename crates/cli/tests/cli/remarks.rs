@@ -282,7 +282,7 @@ fn a_stream_says_what_it_leaves_out() {
     for (input, note) in [
         ("flat.csv", None),
         ("high.csv", None),
-        ("high.node", Some("1 marker of each vertex")),
+        ("high.node", None),
         ("high.ply", Some("1 record of the element `face`")),
     ] {
         let arguments = format!("stream {input} -o out.ply");
@@ -299,6 +299,9 @@ fn a_stream_says_what_it_leaves_out() {
         let strict = run(&folder, &format!("{arguments} --strict"));
         assert_eq!(strict.status.success(), note.is_none(), "{input}");
     }
+    let output = run(&folder, "stream high.node");
+    let note = "note: high.node: ignored: 1 attribute of each vertex, 1 marker of each vertex\n";
+    assert_eq!(text(&output.stderr), note);
     let said = refused("stream cloud_with_z.csv");
     assert!(said.contains("1 column `z`"), "{said}");
 }

@@ -194,7 +194,7 @@ fn what_converts_a_file_is_said() {
         let is_usage = message.contains("Usage: ");
         let status = if is_usage { 2 } else { 1 };
         assert_eq!(output.status.code(), Some(status), "{arguments} {file}");
-        let is_converted = message.contains(" is not read: ");
+        let is_converted = message.contains(": convert it, ");
         assert_ne!(is_usage, is_converted, "{arguments} {file}");
         message.lines().next().expect("a line").to_owned()
     };
@@ -241,8 +241,19 @@ fn what_converts_a_file_is_said() {
             "ogr2ogr -f GeoJSON 'it'\\''s.geojson' 'it'\\''s.shp'",
         ),
     ] {
-        let expected = format!("error: {file} is not read: convert it, {command}");
         for arguments in ["triangulate", "crossings", "verify five.json"] {
+            let is_cloud = command.starts_with("pdal") && arguments != "verify five.json";
+            if is_cloud && cfg!(feature = "las") {
+                continue;
+            }
+            let build = match is_cloud {
+                true => {
+                    " by a build without the feature `las` (`cargo install --path crates/cli --features las` makes one \
+                     with it)"
+                }
+                false => "",
+            };
+            let expected = format!("error: {file} is not read{build}: convert it, {command}");
             assert_eq!(said(arguments, file), expected, "{arguments}");
         }
     }

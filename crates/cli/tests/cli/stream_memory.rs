@@ -113,29 +113,14 @@ fn memory_is_a_bound_for_terrain() {
     assert_bounded(&folder, terrain, &[2, 16]);
 }
 
-/// A cloud of a laser scanner, in its simplest version.
 #[cfg(feature = "las")]
 #[test]
 fn memory_is_a_bound_for_clouds() {
     let count = 300_000_u32;
-    let mut bytes = vec![0; 227];
-    bytes[..4].copy_from_slice(b"LASF");
-    bytes[24..26].copy_from_slice(&[1, 2]);
-    for at in [94, 96] {
-        bytes[at] = 227;
-    }
-    bytes[105] = 20;
-    bytes[107..111].copy_from_slice(&count.to_le_bytes());
-    for axis in 0..3 {
-        bytes[131 + 8 * axis..][..8].copy_from_slice(&0.001_f64.to_le_bytes());
-    }
-    for at in 0..count {
-        // Spread over the plane: multiples of an odd number in two orders of bits.
-        let place = at.wrapping_mul(0x9e37_79b1) >> 1;
-        for number in [place, (at.reverse_bits() ^ place) >> 1, 0, 0, 0] {
-            bytes.extend(number.to_le_bytes());
-        }
-    }
+    // Spread over the plane: multiples of an odd number in two orders of bits.
+    let place = |at: u32| at.wrapping_mul(0x9e37_79b1) >> 1;
+    let points = (0..count).map(|at| [place(at), (at.reverse_bits() ^ place(at)) >> 1, 0, 0]);
+    let bytes = crate::clouds::cloud(points, &[]);
     let folder = folder(&[]);
     fs::write(folder.path().join("p.las"), bytes).expect("a file");
     assert_bounded(&folder, "p.las", &[1, 16]);

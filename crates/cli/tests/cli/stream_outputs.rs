@@ -51,6 +51,7 @@ fn elements_have_the_numbers_of_the_file() {
             ""
         );
         assert_eq!(elements(&folder, "t.ele", first), expected(&folder, &from));
+        fs::remove_file(folder.path().join("t.node")).expect("a file beside it");
     }
     let one = "4 2\n1 0 0\n2 2 2\n3 0 2\n4 2 0\n1\n1 1 2\n";
     fs::write(folder.path().join("one.poly"), one).expect("a file");
@@ -58,6 +59,124 @@ fn elements_have_the_numbers_of_the_file() {
     assert_eq!(elements(&folder, "one.ele", 1), [[0, 1, 2], [0, 3, 1]]);
     let verdict = ran(&folder, "verify one.poly one.ele --level canonical");
     assert!(text(&verdict.stdout).starts_with("correct: "));
+}
+
+/// Heights and columns of every input go to the `.node` beside a `.ele`, and to a `.ply`, as `triangulate` writes them.
+#[test]
+fn columns_go_to_the_outputs_that_have_room() {
+    let table = "name,x,y,elev,wind,gap\na,0,0,1.5,7,\nb,4,0,2,8,3\nc,4,0,2,9,4\nd,0,4,,-1,\n";
+    let node = "4 2 2 1\n1 0 0 1 5 0\n2 4 0 2 6 1\n3 4 4 3 7 0\n4 0 4 4 8 2\n";
+    let ply = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float a\nproperty float y\nproperty float x\n\
+               property list uchar int b\nproperty int c\nend_header\n7 0 0 1 9 3\n8 0 4 0 4\n9 4 0 2 1 1 5\n";
+    let folder = folder(&[("a.csv", table), ("b.node", node), ("c.ply", ply)]);
+    let read = |name: &str| crate::outputs::read(&folder, name);
+    for input in ["a.csv", "b.node", "c.ply"] {
+        let made = ran(&folder, &format!("triangulate {input} -o m.ele -o m.ply"));
+        assert_eq!(made.status.code(), Some(0), "{}", text(&made.stderr));
+        let streamed = ran(&folder, &format!("stream {input} -o s.ele"));
+        assert_eq!(
+            streamed.status.code(),
+            Some(0),
+            "{}",
+            text(&streamed.stderr)
+        );
+        assert_eq!(read("s.node"), read("m.node"), "{input}");
+        // Again: the same file may stand there, and no other one.
+        let again = ran(&folder, &format!("stream {input} -o s.ele"));
+        assert_eq!(again.status.code(), Some(0), "{}", text(&again.stderr));
+        let streamed = ran(&folder, &format!("stream {input} -o s.ply"));
+        assert_eq!(
+            streamed.status.code(),
+            Some(0),
+            "{}",
+            text(&streamed.stderr)
+        );
+        // What is read of both in memory is one and the same.
+        let [one, other] = ["m.ply", "s.ply"].map(|name| {
+            let output = ran(
+                &folder,
+                &format!("triangulate {name} -o - --output-format json --inside hull"),
+            );
+            text(&output.stdout).to_owned()
+        });
+        assert_eq!(one, other, "{input}");
+        // A stream reads what it has written.
+        let through = ran(&folder, "stream s.ply -o again.ply");
+        assert_eq!(through.status.code(), Some(0), "{}", text(&through.stderr));
+        let bytes = |name: &str| fs::read(folder.path().join(name)).expect("a file");
+        assert!(bytes("s.ply") == bytes("again.ply"), "{input}");
+        fs::remove_file(folder.path().join("m.node")).expect("a file");
+        for other in ["0 2 0 0\n".to_owned(), read("s.node") + "# more\n"] {
+            fs::write(folder.path().join("s.node"), other).expect("a file");
+            let refused = ran(&folder, &format!("stream {input} -o s.ele"));
+            let said = text(&refused.stderr);
+            assert!(
+                said.contains("s.node would be overwritten, since the .ele"),
+                "{said}"
+            );
+            assert_eq!(refused.status.code(), Some(2));
+        }
+        fs::remove_file(folder.path().join("s.node")).expect("a file");
+    }
+    // The vertices that were read need no copy.
+    let beside = ran(&folder, "stream b.node -o b.ele");
+    assert_eq!(printed_despite_losses(&beside), "");
+    assert_eq!(read("b.node"), node);
+    let said = ran(&folder, "stream a.csv -o s.ply");
+    assert_eq!(
+        text(&said.stderr),
+        "note: a.csv: ignored: 1 column `name`\n"
+    );
+}
+
+/// Standard input is read until it ends, whatever it is.
+#[test]
+fn standard_input_is_read() {
+    let folder = folder(&[("a.csv", "x,y,z\n0,0,1\n4,0,2\n0,4,3\n4,5,4\n2,2,5\n")]);
+    write_both(&folder, &few());
+    for (input, format, options) in [
+        ("p.f64", "f64", "--edges e.u64 -o t.u64"),
+        ("a.csv", "csv", "-o t.ply"),
+        ("a.csv", "csv", "--contours t.wkt --every 1"),
+    ] {
+        let written = options
+            .split(' ')
+            .find(|word| word.starts_with("t."))
+            .expect("a file");
+        let bytes = |name: &str| fs::read(folder.path().join(name)).expect("a file");
+        let from_file = ran(&folder, &format!("stream {input} {options}"));
+        let expected = bytes(written);
+        assert_eq!(printed(&from_file).replace(input, "standard input"), {
+            let arguments = format!("stream - --stream-format {format} {options}");
+            let mut command = crate::sweep_cdt(&folder, &arguments);
+            printed(&crate::feed(&mut command, &bytes(input))).to_owned()
+        });
+        assert!(bytes(written) == expected, "{options}");
+    }
+    let mut command = crate::sweep_cdt(&folder, "stream - --stream-format csv -o t.u32");
+    let output = crate::feed(&mut command, b"x,y\n0,0\n1,zero\n");
+    let error = "error: standard input:3: `zero` is not a coordinate\n";
+    assert_eq!(text(&output.stderr), error);
+    let mut command = crate::sweep_cdt(&folder, "stream - --stream-format poly -o t.u32");
+    let output = crate::feed(&mut command, b"0 2 0 0\n0 0\n");
+    assert!(text(&output.stderr).contains("standard input: there are no vertices"));
+}
+
+/// A file that is standard input is not overwritten.
+#[test]
+#[cfg(unix)]
+fn standard_input_is_not_overwritten() {
+    let folder = folder(&[]);
+    write_both(&folder, &few());
+    let path = folder.path().join("p.f64");
+    let arguments = "stream - --stream-format f64 -o t.u32 --vertices p.f64";
+    let mut command = crate::sweep_cdt(&folder, arguments);
+    let output = command
+        .stdin(fs::File::open(&path).expect("a file"))
+        .output();
+    let output = output.expect("the command starts");
+    assert_eq!(output.status.code(), Some(2));
+    assert!(text(&output.stderr).contains("p.f64 is an input and would be overwritten"));
 }
 
 #[test]

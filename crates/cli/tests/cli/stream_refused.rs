@@ -232,7 +232,7 @@ fn wrong_usage_says_what_to_do() {
     for (arguments, message) in [
         (
             "stream p.f64 -o t.obj",
-            "t.obj is no name for triangles of a stream: let it end in .u32, .u64, .ele or .ply",
+            "t.obj is no name for triangles of a stream: let it end in .u32, .u64, .ele, .ply or .cert",
         ),
         (
             "stream p.f64 -o t.ply --vertices v.f64",
@@ -258,8 +258,14 @@ fn wrong_usage_says_what_to_do() {
             },
         ),
         (
-            "stream - --stream-format f64 -o t.u32",
-            "a stream is read from a file, since its size must be known: write INPUT to a file",
+            "stream - -o t.u32",
+            if cfg!(feature = "las") {
+                "the format of standard input is not known: add --stream-format with one of f64, ply, node, \
+                 poly, csv, xyz, txt, las, laz"
+            } else {
+                "the format of standard input is not known: add --stream-format with one of f64, ply, node, \
+                 poly, csv, xyz, txt"
+            },
         ),
         (
             "stream p.f64 -o - --stats",

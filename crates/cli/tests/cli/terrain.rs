@@ -103,18 +103,43 @@ fn points_get_the_heights_of_the_terrain() {
     assert!(read(&folder, "d.obj").starts_with("v 2 1 5\nv 2 2 10\nv 1 1 5\nv 0 0 0\n"));
 }
 
-/// From the text of a table to another one, with the columns that are no coordinates.
+/// A table stays as it is, with one more column; another format has the columns of numbers.
 #[test]
 fn points_as_text_get_a_column_of_heights() {
     let folder = folder(&[
         ("a.poly", PYRAMID),
-        ("b.csv", "x,y,girth\n2,1,0.5\n9,9,0.25\n"),
+        (
+            "b.csv",
+            "kind,x,y,girth\noak,2,1,0.5\n\"elm\",9,9,0.25\noak,2,1,0.75\n",
+        ),
     ]);
-    let output = sweep_cdt(&folder, "heights a.poly --at b.csv -o c.csv").output();
-    assert_eq!(output.expect("the command starts").status.code(), Some(0));
+    let heights = |output: &str| {
+        let arguments = format!("heights a.poly --at b.csv --strict -o {output}");
+        let output = sweep_cdt(&folder, &arguments).output();
+        let output = output.expect("the command starts");
+        (output.status.code(), text(&output.stderr).to_owned())
+    };
+    let missing =
+        "note: b.csv: 1 of 3 points have no height: they are on no triangle that has three\n";
+    assert_eq!(heights("c.csv"), (Some(0), missing.to_owned()));
     assert_eq!(
         read(&folder, "c.csv"),
-        "x,y,z,girth\n2,1,5,0.5\n9,9,NaN,0.25\n"
+        "kind,x,y,girth,z\noak,2,1,0.5,5\n\"elm\",9,9,0.25,\noak,2,1,0.75,5\n"
+    );
+    let lost = "error: b.csv: ignored: 1 column `kind`; --strict refuses that\n";
+    assert_eq!(heights("c.xyz"), (Some(1), lost.to_owned()));
+}
+
+/// Numbers of the points are doubles, and those of the terrain fractions.
+#[test]
+fn features_get_heights_of_exact_terrain() {
+    let terrain = r#"{"points": [["1/3", 0, 1], [9, 0, 1], [0, 9, 1]]}"#;
+    let line = r#"{"type":"LineString","coordinates":[[1,0.1],[0.1,1.2],[70,1]]}"#;
+    let folder = folder(&[("a.json", terrain), ("b.geojson", line)]);
+    let output = sweep_cdt(&folder, "heights a.json --at b.geojson").output();
+    assert_eq!(
+        text(&output.expect("the command starts").stdout),
+        r#"{"type":"LineString","coordinates":[[1,0.1,1],[0.1,1.2],[70,1]]}"#
     );
 }
 
@@ -141,7 +166,7 @@ fn columns_are_chosen_of_both_files() {
     );
 }
 
-/// A feature for each point, and nothing of the name that GDAL gives to all of them.
+/// A map stays as it is, but for heights. In another format it has a feature for each point.
 #[test]
 fn points_of_a_map_are_features() {
     let feature = |x: u8, y: u8| {
@@ -155,19 +180,19 @@ fn points_of_a_map_are_features() {
         feature(2, 2)
     );
     let folder = folder(&[("a.poly", PYRAMID), ("b.geojson", &wells)]);
-    let output = sweep_cdt(&folder, "heights a.poly --at b.geojson").output();
+    let output = sweep_cdt(&folder, "heights a.poly --at b.geojson --strict").output();
     let output = output.expect("the command starts");
+    assert_eq!(text(&output.stderr), "");
+    let expected = wells
+        .replace("[2,1]", "[2,1,5]")
+        .replace("[2,2]", "[2,2,10]");
+    assert_eq!(text(&output.stdout), expected);
+    let output = sweep_cdt(&folder, "heights a.poly --at b.geojson -o c.csv").output();
     assert_eq!(
-        text(&output.stderr),
+        text(&output.expect("the command starts").stderr),
         "note: b.geojson: ignored: 2 properties `id`\n"
     );
-    let point = r#"{"type":"Feature","properties":{},"geometry":{"type":"Point","coordinates":"#;
-    assert_eq!(
-        text(&output.stdout),
-        format!(
-            "{{\"type\":\"FeatureCollection\",\"features\":[\n{point}[2,1,5]}}}},\n{point}[2,2,10]}}}}]}}\n"
-        )
-    );
+    assert_eq!(read(&folder, "c.csv"), "x,y,z\n2,1,5\n2,2,10\n");
 }
 
 /// A polygon bounds the lines, its coordinate system goes through, and a vertex without a height gets one on request.

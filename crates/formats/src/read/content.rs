@@ -11,7 +11,7 @@ use crate::read::binary::{Kind, Number};
 use crate::read::remarks::Remarks;
 use crate::read::source::{ReadError, Source, quoted};
 use crate::threads::in_turn;
-use crate::{Column, Coordinate, CoordinateError, CoordinateSystem, Faces, Polygons};
+use crate::{Column, Coordinate, CoordinateError, CoordinateSystem, Faces, Polygons, Properties};
 
 /// Why a number with a comma in it is none.
 pub(super) const NO_COMMAS: &str = "commas in numbers are not read, only points, as in 0.5";
@@ -70,6 +70,7 @@ pub(super) struct Edges<'a> {
     pub(super) edge_features: Vec<u32>,
     /// How many features there are.
     pub(super) features: usize,
+    pub(super) properties: Properties,
     pub(super) faces: Faces,
     pub(super) system: Option<CoordinateSystem>,
     pub(super) remarks: Remarks,
@@ -115,6 +116,7 @@ impl<'a> Edges<'a> {
             polygons: Polygons::default(),
             edge_features: Vec::new(),
             features: 0,
+            properties: Properties::default(),
             faces: Faces::default(),
             system: None,
             remarks: Remarks::default(),

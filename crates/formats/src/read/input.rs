@@ -3,6 +3,8 @@
 use num_rational::BigRational;
 
 use crate::order::is_finite;
+#[cfg(feature = "las")]
+use crate::read::cloud;
 use crate::read::content::{Edges, Vertices};
 use crate::read::matching::find;
 use crate::read::numpy::Arrays;
@@ -61,6 +63,7 @@ pub enum Input {
 /// # Errors
 /// See [`ReadError`].
 pub fn read(format: Format, source: &Source, node: Option<&Source>) -> Result<Input, ReadError> {
+    format.expect_classes(&source.name, &source.classes)?;
     let content = match format {
         Format::Node => {
             let mut remarks = Remarks::default();
@@ -91,6 +94,8 @@ pub fn read(format: Format, source: &Source, node: Option<&Source>) -> Result<In
         Format::Wkt => wkt::read(source)?.into_graph(),
         Format::Npy => return input(format, Arrays::of_points(source)?.graph()?),
         Format::Npz => return input(format, Arrays::of_archive(source)?.graph()?),
+        #[cfg(feature = "las")]
+        Format::Las | Format::Laz => return Ok(Input::Doubles(cloud::read(source)?)),
         _ => return Err(ReadError::of_file(&source.name, format.lacks("graph"))),
     };
     input(format, content)
@@ -145,6 +150,7 @@ fn file<S: Coordinate>(
         polygons: content.polygons,
         edge_features: content.edge_features,
         features: content.features,
+        properties: content.properties,
         faces: content.faces,
         system: content.system,
         remarks: content.remarks.into_list(),

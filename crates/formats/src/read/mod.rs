@@ -1,7 +1,10 @@
 //! Readers: bytes in, a [`GraphFile`](crate::GraphFile) or [`Triangles`] out.
 
 mod binary;
+#[cfg(feature = "las")]
+mod cloud;
 mod content;
+mod edited;
 mod file;
 mod input;
 mod json;
@@ -13,6 +16,7 @@ mod numpy;
 mod obj;
 mod off;
 mod ply;
+mod raised;
 mod remarks;
 mod result;
 mod shapes;
@@ -30,6 +34,8 @@ pub mod ply_parts {
     pub use super::binary::{Kind, Number};
     pub use super::ply::header::{Element, Encoding, Header, Property};
 }
+#[cfg(feature = "las")]
+pub use cloud::Cloud;
 pub use input::{Input, read};
 pub use matching::Matching;
 pub use matching::listed::Listed;
@@ -37,5 +43,6 @@ pub use matching::matched::Matched;
 pub use matching::refusal::{Nearest, ResultError, WayOut};
 pub use matching::written::Precision;
 pub use names::{named_columns, named_height};
+pub use raised::raised;
 pub use result::{Triangles, added_points, read_result};
 pub use source::{ReadError, ReadErrorKind, Source, quoted, reason};

@@ -22,6 +22,8 @@ pub struct Source {
     pub(super) height_property: Option<String>,
     /// The columns of x, y and z, if they were chosen.
     pub(super) columns: Vec<String>,
+    /// The classes of the points that are read, if they were chosen.
+    pub(super) classes: Vec<u8>,
 }
 
 /// The bytes that every file may unpack to.
@@ -38,6 +40,7 @@ impl Source {
             unpacked_limit: None,
             height_property: None,
             columns: Vec::new(),
+            classes: Vec::new(),
         }
     }
 
@@ -70,8 +73,16 @@ impl Source {
         self
     }
 
+    /// Chooses the points of a `.las` or `.laz` that are read: those of these classes alone, of which 2 is the ground. They
+    /// are numbered as if there were no others. [`read()`](crate::read()) refuses classes of other formats.
+    #[must_use]
+    pub fn classes(mut self, classes: impl Into<Vec<u8>>) -> Source {
+        self.classes = classes.into();
+        self
+    }
+
     /// Limits the bytes that what is packed in the file may unpack to, all together. (Only `.vtu`, `.vtp` and `.npz` may
-    /// have packed arrays.)
+    /// have packed arrays, and a `.laz` packed points, each of which counts 24 bytes.)
     ///
     /// Without a call the limit is 16 MiB, or 32 times the size of the file where that is more. A file that needs more
     /// is refused before memory is taken for it ([`ReadErrorKind::UnpackedLimit`]). Beside what is unpacked, a reader

@@ -38,8 +38,8 @@ use crate::{Coordinate, Polygons};
 /// let mut text = Vec::new();
 /// write_certificate(&points, &[[0, 1]], None, &[[0, 1, 2]], |_| true, &mut text)?;
 /// let text = String::from_utf8(text)?;
-/// assert!(text.starts_with("sweep-cdt-certificate 2\nexponent -1\ndomain hull\npoints 3\n0 0\n1 0\n0 4\nedges 1\n0 1\n"));
-/// assert!(text.ends_with("lower 1\n0\n1\ntriangles 1\n0 1 2 1\nend\n"));
+/// assert!(text.starts_with("sweep-cdt-certificate 3\nexponent -1\ndomain hull\np 0 0\np 1 0\np 0 4\ne 0 1\n"));
+/// assert!(text.ends_with("l 0 1\nt 0 1 2 1\nend\n"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
@@ -71,7 +71,7 @@ pub fn write_certificate<S: Coordinate>(
         Some(_) => return Err(other_interior()),
     };
 
-    writeln!(out, "sweep-cdt-certificate 2")?;
+    writeln!(out, "sweep-cdt-certificate 3")?;
     writeln!(out, "exponent {exponent}")?;
     let domain = match &values {
         None => "polygons",
@@ -84,35 +84,37 @@ pub fn write_certificate<S: Coordinate>(
         write_polygons(&polygons.rings, out)?;
     }
     let mut lines = Lines::new(out);
-    lines.head("points", points.len());
     for [x, y] in points {
+        lines.text.extend_from_slice(b"p ");
         push_integer(x, exponent, &mut lines.text)?;
         lines.text.push(b' ');
         push_integer(y, exponent, &mut lines.text)?;
         lines.end()?;
     }
-    lines.head("edges", edges.len());
     for (edge, ([from, to], chain)) in edges.iter().zip(&chains).enumerate() {
+        lines.text.push(b'e');
         match (polygons, ring(edge)) {
             (None, _) => {}
-            (_, None) => lines.text.extend_from_slice(b"- "),
-            (_, Some(ring)) => lines.first(ring).text.push(b' '),
+            (_, None) => lines.text.extend_from_slice(b" -"),
+            (_, Some(ring)) => {
+                lines.next(ring);
+            }
         }
-        lines.first(*from);
+        lines.next(*from);
         for point in chain {
             lines.next(*point);
         }
         lines.next(*to).end()?;
     }
-    lines.head("lower", lower.len().saturating_sub(1));
-    for point in lower {
-        lines.first(point).end()?;
+    for side in lower.windows(2) {
+        lines.text.push(b'l');
+        lines.next(side[0]).next(side[1]).end()?;
     }
-    lines.head("triangles", order.len());
     let marks = tiling.marks();
     for t in order {
         let [a, b, c] = tiling.triangle(t);
-        lines.first(a).next(b).next(c).next(marks[t as usize]);
+        lines.text.push(b't');
+        lines.next(a).next(b).next(c).next(marks[t as usize]);
         match &values {
             Some(Values::Hull) => {}
             Some(Values::EvenOdd(windings) | Values::NonZero(windings)) => {
@@ -150,22 +152,12 @@ impl<'a, W: Write> Lines<'a, W> {
         Lines { text, out }
     }
 
-    /// The line before a list.
-    fn head(&mut self, name: &str, count: usize) {
-        self.text.extend_from_slice(name.as_bytes());
-        self.next(count).text.push(b'\n');
-    }
-
-    fn first(&mut self, number: impl itoa::Integer) -> &mut Self {
+    fn next(&mut self, number: impl itoa::Integer) -> &mut Self {
+        self.text.push(b' ');
         let mut digits = itoa::Buffer::new();
         self.text
             .extend_from_slice(digits.format(number).as_bytes());
         self
-    }
-
-    fn next(&mut self, number: impl itoa::Integer) -> &mut Self {
-        self.text.push(b' ');
-        self.first(number)
     }
 
     fn end(&mut self) -> io::Result<()> {
@@ -201,7 +193,7 @@ fn write_polygons(rings: &[Ring], out: &mut impl Write) -> io::Result<()> {
     Ok(())
 }
 
-fn wrong() -> io::Error {
+pub(super) fn wrong() -> io::Error {
     let why =
         "the triangles do not tile the hull with all edges, so that there is nothing to certify";
     io::Error::new(io::ErrorKind::InvalidInput, why)

@@ -27,6 +27,16 @@ fn no_integer() -> io::Error {
     io::Error::new(io::ErrorKind::InvalidInput, why)
 }
 
+/// Appends a line: a letter and numbers.
+pub(super) fn push_line(letter: u8, numbers: &[u64], text: &mut Vec<u8>) {
+    text.push(letter);
+    for number in numbers {
+        text.push(b' ');
+        text.extend_from_slice(itoa::Buffer::new().format(*number).as_bytes());
+    }
+    text.push(b'\n');
+}
+
 /// Appends a coordinate in units of two to the power `least`. Hexadecimal digits are quicker to write and to read.
 pub(super) fn push_integer<S: Coordinate>(
     coordinate: &S,

@@ -11,7 +11,7 @@ use crate::Coordinate;
 use crate::{Column, CoordinateSystem, Format, GraphFile, write_graph};
 use sweep_cdt::Pslg;
 
-/// Writes lines, each with its height, and their coordinate system, in one of [`Format::INPUTS`]; the last point of a closed line equals its first.
+/// Writes lines, each with its height, and their coordinate system, in one of [`Format::GRAPHS`]; the last point of a closed line equals its first.
 ///
 /// ```
 /// use sweep_cdt_formats::{Format, write_lines};

@@ -56,6 +56,10 @@ pub fn not_written<S: Coordinate>(
         };
         losses.push(format!("{what} of triangles"));
     }
+    let has_features = interior.is_some_and(Interior::is_of_polygons);
+    if format != Format::Geojson || !has_features {
+        losses.extend(file.properties.losses());
+    }
     if let Some(lost) = file.system.as_ref().filter(|lost| !system.holds(lost)) {
         losses.push(format!("the coordinate system {}", lost.name()));
     }

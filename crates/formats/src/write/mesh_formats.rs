@@ -18,7 +18,7 @@ impl<'a, S: Coordinate> Mesh<'a, S> {
             writeln!(out, "property double {name}")?;
         }
         for column in &others {
-            writeln!(out, "property double {}", word(&column.name))?;
+            writeln!(out, "property double {}", one_word(&column.name))?;
         }
         if !self.lines.is_empty() {
             let count = self.lines.len();
@@ -105,7 +105,7 @@ impl<'a, S: Coordinate> Mesh<'a, S> {
             writeln!(
                 out,
                 "SCALARS {} double 1\nLOOKUP_TABLE default",
-                word(&column.name)
+                one_word(&column.name)
             )?;
             write_rows(out, points, |vertex, text| {
                 column.of(vertex).write_text(text);
@@ -225,8 +225,13 @@ fn write_elements<const N: usize>(
     })
 }
 
-/// A name as one word, without `#`, after which many readers take the rest of a line for a comment.
-fn word(name: &str) -> String {
+/// A name as one word, as a `.ply` has them, without `#`, after which many readers take the rest of a line for a comment.
+///
+/// ```
+/// assert_eq!(sweep_cdt_formats::one_word("wind speed #2"), "wind_speed_2");
+/// ```
+#[must_use]
+pub fn one_word(name: &str) -> String {
     let parts = name.split(|c: char| c.is_whitespace() || c == '#');
     let parts: Vec<&str> = parts.filter(|part| !part.is_empty()).collect();
     let word = parts.join("_");

@@ -2,7 +2,9 @@
 
 mod cells;
 mod certificate;
+mod certificate_edges;
 mod certificate_numbers;
+mod certificate_stream;
 mod certificate_tiling;
 mod crossings;
 mod features;
@@ -24,11 +26,13 @@ use std::io::{self, Write};
 
 pub use cells::{Cell, Ridges, write_cells, write_ridges};
 pub use certificate::write_certificate;
+pub use certificate_stream::StreamCertificate;
 pub use crossings::write_crossings;
 pub use json::json_coordinate;
 pub use labels::edges_along;
 pub use lines::{LineWriter, write_lines};
 pub use losses::not_written;
+pub use mesh_formats::one_word;
 #[cfg(feature = "geotiff")]
 pub use raster::write_geotiff;
 pub use raster::{RasterHead, write_asc};
@@ -169,7 +173,7 @@ fn unsupported(format: Format, what: &str) -> io::Error {
     io::Error::new(io::ErrorKind::Unsupported, format.lacks(what))
 }
 
-/// Writes a graph that is not triangulated, in one of [`Format::INPUTS`]. [`read()`](crate::read()) makes the same one of
+/// Writes a graph that is not triangulated, in one of [`Format::GRAPHS`]. [`read()`](crate::read()) makes the same one of
 /// it, but for fractions, which only `.node`, `.poly`, `.json` and points as text hold: the others have the nearest
 /// doubles. A `.node` and points as text hold vertices alone, and a `.poly` without vertices is read as one whose vertices
 /// are in the `.node` beside it.

@@ -11,7 +11,9 @@
 //! ...
 //! ```
 //!
-//! A `GeoTIFF` has doubles, NaN where there is no height, and tags that say where the grid lies.
+//! A `GeoTIFF` has doubles, NaN where there is no height, and tags that say where the grid lies. Its keys say that a number
+//! is that of an area, not of a point, and name the coordinate system, if that has a number of the EPSG and is known to be
+//! of longitudes and latitudes or of a plane.
 
 #[cfg(feature = "geotiff")]
 use std::io::Seek;
@@ -24,10 +26,10 @@ use tiff::{
     tags::Tag,
 };
 
-use crate::Coordinate;
+use crate::{Coordinate, CoordinateSystem};
 
 /// What a grid is, beside its heights.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct RasterHead {
     /// How many columns and rows it has.
     pub size: [usize; 2],
@@ -37,6 +39,8 @@ pub struct RasterHead {
     pub cell: f64,
     /// A height that is no higher than any other.
     pub lowest: f64,
+    /// The coordinate system, if it is known: an `.asc` has no room for it.
+    pub system: Option<CoordinateSystem>,
 }
 
 /// Writes a grid as `.asc`. `rows` passes on each row from above, NaN where there is no height.
@@ -44,7 +48,8 @@ pub struct RasterHead {
 /// ```
 /// use sweep_cdt_formats::{RasterHead, write_asc};
 ///
-/// let head = RasterHead { size: [2, 1], corners: [[4.0, -0.5], [5.0, 0.0]], cell: 0.5, lowest: -9999.0 };
+/// let corners = [[4.0, -0.5], [5.0, 0.0]];
+/// let head = RasterHead { size: [2, 1], corners, cell: 0.5, lowest: -9999.0, system: None };
 /// let mut text = Vec::new();
 /// write_asc(&head, |row| row(&[f64::NAN, 1.25]), &mut text)?;
 /// let begin = "ncols 2\nnrows 1\nxllcorner 4\nyllcorner -0.5\ncellsize 0.5\n";
@@ -64,6 +69,7 @@ pub fn write_asc(
         corners: [[x, y], _],
         cell,
         lowest,
+        ..
     } = head;
     let mut none = -9999.0;
     while none >= *lowest {
@@ -132,9 +138,33 @@ fn write_strips<W: Write + Seek, K: TiffKind>(
         .map_err(of_tiff)?;
     tags.write_tag(Tag::ModelTiepointTag, &tie[..])
         .map_err(of_tiff)?;
+    tags.write_tag(Tag::GeoKeyDirectoryTag, &keys(head.system.as_ref())[..])
+        .map_err(of_tiff)?;
     tags.write_tag(Tag::GdalNodata, "nan").map_err(of_tiff)?;
     rows(&mut |row| image.write_strip(row).map_err(of_tiff))?;
     image.finish().map_err(of_tiff)
+}
+
+/// The keys of a `GeoTIFF`: a head, and four numbers for each.
+#[cfg(feature = "geotiff")]
+fn keys(system: Option<&CoordinateSystem>) -> Vec<u16> {
+    const MODEL: u16 = 1024;
+    const RASTER: u16 = 1025;
+    const GEODETIC: u16 = 2048;
+    const PROJECTED: u16 = 3072;
+    let is_area = (RASTER, 1);
+    let named = system.and_then(|system| {
+        let number = u16::try_from(system.srid()?).ok()?;
+        let number = (1024..32767).contains(&number).then_some(number)?;
+        Some(match system.is_geographic()? {
+            false => [(MODEL, 1), is_area, (PROJECTED, number)],
+            true => [(MODEL, 2), is_area, (GEODETIC, number)],
+        })
+    });
+    let keys = named.map_or_else(|| vec![is_area], |keys| keys.to_vec());
+    let mut numbers = vec![1, 1, 0, if named.is_some() { 3 } else { 1 }];
+    numbers.extend(keys.into_iter().flat_map(|(key, value)| [key, 0, 1, value]));
+    numbers
 }
 
 #[cfg(feature = "geotiff")]
@@ -160,6 +190,7 @@ mod tests {
             corners: [[4.0, -0.5], [5.5, 0.5]],
             cell: 0.5,
             lowest: 1.0,
+            system: Some(CoordinateSystem::of_epsg(4326, true)),
         };
         let rows = [[1.0, f64::NAN, 0.1], [2.0, 1e300, -0.0]];
         let mut file = Cursor::new(Vec::new());
@@ -176,6 +207,9 @@ mod tests {
         assert_eq!(scale.expect("a tag"), [0.5, 0.5, 0.0]);
         let tie = tiff.get_tag_f64_vec(Tag::ModelTiepointTag);
         assert_eq!(tie.expect("a tag"), [0.0, 0.0, 0.0, 4.0, 0.5, 0.0]);
+        let keys = tiff.get_tag_u16_vec(Tag::GeoKeyDirectoryTag);
+        let expected = [1, 1, 0, 3, 1024, 0, 1, 2, 1025, 0, 1, 1, 2048, 0, 1, 4326];
+        assert_eq!(keys.expect("a tag"), expected);
         let none = tiff.get_tag_ascii_string(Tag::GdalNodata);
         assert_eq!(none.expect("a tag"), "nan");
         let DecodingResult::F64(heights) = tiff.read_image().expect("an image") else {

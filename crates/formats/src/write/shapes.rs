@@ -5,6 +5,7 @@ use std::io::{self, Write};
 
 use super::labels::Labels;
 use super::rows::write_rows;
+use crate::graph_file::whole;
 use crate::{Column, Coordinate, CoordinateSystem, GraphFile};
 use sweep_cdt::Pslg;
 use sweep_cdt::interior::Interior;
@@ -121,8 +122,8 @@ impl<'a, S: Coordinate> Positions<'a, S> {
     }
 }
 
-/// Writes a collection of features, one for each triangle inside, with its region or the feature whose polygon covers
-/// it.
+/// Writes a collection of features, one for each triangle inside, with its region, or the feature whose polygon covers
+/// it and the properties of that.
 pub(super) fn write_geojson<S: Coordinate>(
     file: &GraphFile<S>,
     interior: &Interior<'_>,
@@ -134,7 +135,16 @@ pub(super) fn write_geojson<S: Coordinate>(
         text.extend_from_slice(br#"{"type":"Feature","properties":{"#);
         if let Some(labels) = &labels {
             text.extend_from_slice(format!("\"{}\":", labels.name).as_bytes());
-            labels.values[t].write_text(text);
+            let label = labels.values[t];
+            label.write_text(text);
+            let own = match whole(label).filter(|_| interior.is_of_polygons()) {
+                Some(feature) => file.properties.of(usize::try_from(feature).unwrap_or(0)),
+                None => "",
+            };
+            if !own.is_empty() {
+                text.push(b',');
+                text.extend_from_slice(own.as_bytes());
+            }
         }
         text.extend_from_slice(br#"},"geometry":{"type":"Polygon","coordinates":[["#);
     };

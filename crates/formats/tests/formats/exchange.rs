@@ -167,7 +167,7 @@ fn marked(file: &GraphFile<f64>) -> Option<Vec<i64>> {
 
 #[test]
 fn no_number_is_invented_and_none_is_lost() {
-    let formats = Format::INPUTS
+    let formats = Format::GRAPHS
         .iter()
         .filter_map(|&format| Some((format, Holds::of(format)?)));
     let formats: Vec<(Format, Holds)> = formats.collect();

@@ -178,7 +178,7 @@ fn every_format_reads_what_it_writes() {
         ..terrain.clone()
     };
     for written in [terrain, flat] {
-        for &format in Format::INPUTS {
+        for &format in Format::GRAPHS {
             let mut text = Vec::new();
             write_graph(format, &written, &mut text).expect("memory takes it");
             let again = file(format, &source(&text));
@@ -224,9 +224,9 @@ fn missing_heights_stay_missing() {
             assert_eq!(again.columns, written.columns, "{format:?}");
             again
         };
-        for &one in Format::INPUTS {
+        for &one in Format::GRAPHS {
             let again = through(one, &written);
-            for &other in Format::INPUTS {
+            for &other in Format::GRAPHS {
                 through(other, &again);
             }
         }

@@ -31,7 +31,7 @@ pub(crate) fn write<S: Coordinate + Exact>(
         return Ok(picture.write(out)?);
     }
     if let Wanted::Graph(format) = wanted {
-        return Ok(write_graph(named(&format, Format::INPUTS)?, file, out)?);
+        return Ok(write_graph(named(&format, Format::GRAPHS)?, file, out)?);
     }
     let pieces = settings.pieces(file);
     let file = pieces.map_err(|error| refused(file, error))?;

@@ -5,6 +5,7 @@
 use std::path::Path;
 
 use sweep_cdt::threads::beside;
+use sweep_cdt_formats::Coordinate;
 
 use crate::external::error::Error;
 use crate::external::input::Input;
@@ -44,9 +45,13 @@ pub(crate) fn sort<P: Located>(
     }
     drop(full);
     let first = filled.first().map_or(0, Record::number);
+    let mut summary = filler.summary;
+    if summary.exponent == i64::MAX {
+        summary.exponent = 0;
+    }
     Ok(Points {
         sorted: runs.finish(filled, first)?,
-        summary: filler.summary,
+        summary,
     })
 }
 
@@ -73,6 +78,7 @@ impl Filler {
                 edges_without_length: 0,
                 x: [f64::INFINITY, f64::NEG_INFINITY],
                 y: [f64::INFINITY, f64::NEG_INFINITY],
+                exponent: i64::MAX,
                 height: [f64::INFINITY, f64::NEG_INFINITY],
             },
         }
@@ -112,6 +118,13 @@ impl Filler {
                 self.summary.points += 1;
                 widen(&mut self.summary.x, x);
                 widen(&mut self.summary.y, y);
+                for coordinate in [x, y] {
+                    if let Some((integer, exponent)) = coordinate.small_binary()
+                        && integer != 0
+                    {
+                        self.summary.exponent = self.summary.exponent.min(exponent);
+                    }
+                }
                 widen(&mut self.summary.height, point.height());
             }
             if self.at < self.block.len() {

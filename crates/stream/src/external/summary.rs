@@ -16,6 +16,8 @@ pub struct Summary {
     pub x: [f64; 2],
     /// The least and the greatest y, likewise.
     pub y: [f64; 2],
+    /// The power of two of which all x and y are whole multiples, the greatest one; 0 if all are 0.
+    pub exponent: i64,
     /// The lowest and the highest height that the vertices come with, likewise.
     pub height: [f64; 2],
 }

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use sweep_cdt_formats::{Input as Read, Source, read};
+use sweep_cdt_formats::{Column, Input as Read, Source, read};
 use sweep_cdt_stream::external::{Choice, Format, Sorting, open, open_chosen};
 
 use crate::{Random, expected, take};
@@ -19,6 +19,7 @@ pub(crate) fn check_file(name: &str, bytes: &[u8], format: Format) {
     };
     let heights = file.heights().map(|column| &column.values[..]);
     check_heights(&path, format, heights);
+    check_columns(&path, format, &file.columns);
     let graph = file.graph;
     let edges: Vec<[u64; 2]> = graph
         .edges
@@ -26,6 +27,60 @@ pub(crate) fn check_file(name: &str, bytes: &[u8], format: Format) {
         .map(|edge| edge.map(|end| end as u64))
         .collect();
     sorts_to(&path, format, &graph.points, &edges);
+}
+
+/// Reads a file in pieces, and compares the columns that come with the points. Markers that are all 0 are none in memory.
+fn check_columns(path: &Path, format: Format, expected: &[Column]) {
+    let choice = Choice {
+        heights: true,
+        others: true,
+        ..Choice::default()
+    };
+    let mut input = open_chosen(path, format, None, &choice).expect("a file");
+    let mut columns: Vec<Column> = Vec::new();
+    let mut points = Vec::new();
+    loop {
+        let before = points.len();
+        input.next_points(&mut points).expect("points");
+        if points.len() == before {
+            break;
+        }
+        for column in input.columns() {
+            assert_eq!(column.values.len(), points.len() - before);
+            let place = columns.iter().position(|own| own.name == column.name);
+            let place = place.unwrap_or_else(|| {
+                let (name, values) = (column.name.clone(), Vec::new());
+                columns.push(Column { name, values });
+                columns.len() - 1
+            });
+            columns[place].values.resize(before, f64::NAN);
+            columns[place].values.extend(&column.values);
+        }
+        for column in &mut columns {
+            column.values.resize(points.len(), f64::NAN);
+        }
+    }
+    // At the end the names are known.
+    let names: Vec<&str> = input
+        .columns()
+        .iter()
+        .map(|column| &column.name[..])
+        .collect();
+    let is_said = |column: &Column| {
+        let numbers = column.values.iter();
+        column.name != Column::MARKER || !numbers.clone().all(|&x| x.is_nan() || x == 0.0)
+    };
+    columns.retain(|column| names.contains(&&column.name[..]) && is_said(column));
+    let mut expected = expected.to_vec();
+    expected.retain(|column| column.name != Column::HEIGHT && is_said(column));
+    for list in [&mut columns, &mut expected] {
+        list.sort_by(|a, b| a.name.cmp(&b.name));
+    }
+    assert!(
+        columns == expected,
+        "{}: {columns:?}: {expected:?}",
+        path.display()
+    );
 }
 
 /// Sorts a file in little memory and in much, and compares the heights that come with the vertices.
@@ -344,4 +399,42 @@ fn a_format_with_edges_takes_no_others() {
         path.display()
     );
     assert!(error.to_string().ends_with(&words), "{error}");
+}
+
+/// Which columns hold numbers is known at the end: text, or the first number, may stand in the last of many pieces.
+#[test]
+fn columns_of_many_pieces_are_those_of_the_whole_file() {
+    let rows = 60_000;
+    let row = |at: usize| {
+        let late = if at + 1 == rows { "7" } else { "" };
+        let word = if at + 1 == rows { "oak" } else { "1" };
+        let first = if at == 0 { "oak" } else { "1" };
+        let sparse = if at % 20_000 == 5 { "3" } else { "" };
+        format!(
+            "{at},{},{at}.5,{late},{word},{first},{sparse},\n",
+            at * at % 977
+        )
+    };
+    let rows: String = (0..rows).map(row).collect();
+    let text = format!("x,y,all,late,word,first,sparse,sparse\n{rows}");
+    check_file("pieces.csv", text.as_bytes(), Format::Csv);
+    // So many columns of text that not all have names in remarks.
+    let names: Vec<String> = (0..20).map(|at| format!("n{at}")).collect();
+    let row = |at: usize| {
+        let words = (0..20).map(|n| {
+            if at == 50_000 && n > 3 || n > 5 {
+                "w"
+            } else {
+                "1"
+            }
+        });
+        format!(
+            "{at},{},{}\n",
+            at % 977,
+            words.collect::<Vec<_>>().join(",")
+        )
+    };
+    let rows: String = (0..60_000).map(row).collect();
+    let text = format!("x,y,{}\n{rows}", names.join(","));
+    check_file("words.csv", text.as_bytes(), Format::Csv);
 }

@@ -11,7 +11,8 @@
 //! The third coordinate is a height, unless [`Source::height_property`] names a property that is. Where there is
 //! neither, of points and lines the best of the usual names (`names.rs`) with a number is. The member
 //! `crs` goes through. Without it, or where it is one of degrees, a side that spans more than 180 of them gets a
-//! remark. Numbers of a position behind the third are measures, which are ignored with a remark. Other properties and members are ignored with a remark, and so is a geometry that is `null` or
+//! remark. The properties of features with polygons go along. Numbers of a position behind the third are measures.
+//! Measures, other properties and members are ignored with a remark, and so is a geometry that is `null` or
 //! whose coordinates are an empty list, without one. A coordinate may be a string with a fraction, as in our own JSON.
 //!
 //! Cost: each object is read once for each object around it, of which there may be [`NESTED`].
@@ -19,6 +20,7 @@
 use serde::Deserialize;
 use serde_json::value::RawValue;
 
+use crate::properties::PROPERTY;
 use crate::read::content::Syntax;
 use crate::read::json::pieces::{Measured, Position, fault, members, texts};
 use crate::read::names::{HEIGHTS, rank};
@@ -28,9 +30,6 @@ use crate::{CoordinateSystem, Remark};
 
 /// So many objects may be in each other.
 const NESTED: usize = 100;
-
-/// The name of one property and of many.
-const PROPERTY: [&str; 2] = ["property", "properties"];
 
 /// Any object of the format.
 #[derive(Default)]
@@ -199,7 +198,7 @@ pub(crate) fn read(source: &Source) -> Result<Shapes<'_>, ReadError> {
         match kind {
             Kind::Feature => {
                 shapes.begin_feature();
-                let properties = raised.properties(source, object.properties, &mut shapes)?;
+                let properties = raised.properties(source, &object, &mut shapes)?;
                 let geometry = object.geometry.map(in_it);
                 waiting.extend(geometry.map(|waiting| Waiting {
                     feature: Some(properties),
@@ -287,6 +286,8 @@ struct Height<'a> {
     piece: &'a RawValue,
     /// Whether it was asked for by its name.
     is_asked: bool,
+    /// Whether it is kept as a property, too.
+    is_kept: bool,
 }
 
 /// The features whose height is a property.
@@ -300,14 +301,16 @@ struct Raised {
 }
 
 impl Raised {
-    /// The height among the properties of a feature. All others are ignored.
+    /// The height among the properties of a feature. Those of a feature with polygons are kept, all others are ignored.
     fn properties<'a>(
         &mut self,
         source: &Source,
-        properties: Option<&'a RawValue>,
+        feature: &Object<'a>,
         shapes: &mut Shapes<'a>,
     ) -> Result<Option<Height<'a>>, ReadError> {
-        let members = properties.and_then(|piece| members(piece.get().as_bytes()));
+        let members = feature
+            .properties
+            .and_then(|piece| members(piece.get().as_bytes()));
         let members = members.unwrap_or_default();
         let asked = source.height_property.as_deref();
         let rank_of = |(name, value): &(String, &RawValue)| match asked {
@@ -317,11 +320,15 @@ impl Raised {
         let ranks = members.iter().enumerate();
         let ranks = ranks.filter_map(|(at, member)| Some((rank_of(member)?, at)));
         let place = ranks.min().map(|(_, at)| at);
-        for (_, (name, _)) in members
-            .iter()
-            .enumerate()
-            .filter(|(at, _)| Some(*at) != place)
-        {
+        let geometry = feature.geometry.map_or("", RawValue::get);
+        let are_kept = memchr::memmem::find(geometry.as_bytes(), b"Polygon\"").is_some();
+        if are_kept {
+            let is_height = |name: &str| asked == Some(name);
+            shapes.properties.set(shapes.features, &members, is_height);
+        }
+        let others = members.iter().enumerate();
+        let others = others.filter(|(at, _)| Some(*at) != place && !are_kept);
+        for (_, (name, _)) in others {
             shapes.remarks.ignore_named(1, PROPERTY, name.as_bytes());
         }
         let Some((name, piece)) = place.map(|place| &members[place]) else {
@@ -341,6 +348,7 @@ impl Raised {
             name: name.clone(),
             piece,
             is_asked,
+            is_kept: are_kept,
         };
         Ok((piece.get() != "null").then_some(height))
     }
@@ -360,7 +368,7 @@ impl Raised {
         if is_height && shapes.raise(first, text, height.is_asked) {
             self.count += usize::from(shapes.features != self.last);
             self.last = shapes.features;
-        } else if !shapes.is_raised(first, text) {
+        } else if !height.is_kept && !shapes.is_raised(first, text) {
             shapes
                 .remarks
                 .ignore_named(1, PROPERTY, height.name.as_bytes());

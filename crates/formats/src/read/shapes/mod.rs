@@ -13,7 +13,7 @@ use crate::read::content::{Corners, Edges, Labels, Syntax, Vertices};
 use crate::read::mesh::no_triangle;
 use crate::read::remarks::Remarks;
 use crate::read::source::{ReadError, Source};
-use crate::{CoordinateSystem, Polygons, Remark};
+use crate::{CoordinateSystem, Polygons, Properties, Remark};
 
 /// The contents of a file.
 pub(super) struct Shapes<'a> {
@@ -25,6 +25,7 @@ pub(super) struct Shapes<'a> {
     parts: Vec<(Part, usize, Range<usize>)>,
     /// How many features have begun.
     features: usize,
+    pub(super) properties: Properties,
     pub(super) system: Option<CoordinateSystem>,
     pub(super) remarks: Remarks,
 }
@@ -49,6 +50,7 @@ impl<'a> Shapes<'a> {
             heights: Vec::new(),
             parts: Vec::new(),
             features: 0,
+            properties: Properties::default(),
             system: None,
             remarks: Remarks::default(),
         }
@@ -139,6 +141,7 @@ impl<'a> Shapes<'a> {
             polygons,
             edge_features,
             features: self.features,
+            properties: self.properties,
             system: self.system,
             remarks: self.remarks,
             ..Edges::without_seeds(vertices.with_heights(&self.heights), edges, 0)

@@ -21,6 +21,7 @@
 //! Cost: time in proportion to the text. So is the memory: short rows may leave out no more fields than the file has
 //! bytes.
 
+mod raised;
 mod rows;
 
 use std::collections::HashMap;
@@ -33,6 +34,8 @@ use crate::read::source::{ReadError, ReadErrorKind, Source, quoted};
 use crate::read::text::rows::{Rows, Separator, text};
 use crate::{Column, CoordinateError, Remark};
 
+pub(super) use raised::raised;
+
 /// The words for a number that is missing.
 const MISSING: [&[u8]; 10] = [
     b"nan", b"na", b"n/a", b"null", b"none", b"-", b"--", b"#n/a", b"\\n", b"nodata",
@@ -40,52 +43,25 @@ const MISSING: [&[u8]; 10] = [
 
 /// Reads points.
 pub(super) fn read(source: &Source) -> Result<Edges<'_>, ReadError> {
-    let mut rows = Rows::new(source, separator(source)?)?;
-    let mut fields = Vec::new();
-    let Some(mut line) = rows.next_row(&mut fields)? else {
-        return Err(ReadError::of_file(&source.name, "the file is empty"));
-    };
-    let promised = count(&fields);
-    if promised.is_some()
-        && let Some(next) = rows.next_row(&mut fields)?
-    {
-        line = next;
-    }
-    let mut remarks = Remarks::default();
-    let error = |message: String| ReadError {
-        kind: match fields.len() < 3 || fields.iter().any(|field| wkt::is_in(field)) {
-            true => ReadErrorKind::Content,
-            false => ReadErrorKind::UnknownColumns,
-        },
-        ..source.error_in_line(line, message)
-    };
-    let comment = rows.comment();
-    let (header, is_header) = match &source.columns[..] {
-        [] => {
-            let named = Header::of(&fields).map_err(error)?;
-            let is_header = named.is_some();
-            let header = match named {
-                Some(header) => header,
-                None => Header::not_in(&fields, &comment, &mut remarks).map_err(error)?,
-            };
-            (header, is_header)
-        }
-        chosen => Header::chosen(chosen, &fields, &comment)
-            .map_err(|message| source.error_in_line(line, message))?,
-    };
-    let z = match &source.height_property {
-        Some(name) => header.asked(name, &mut remarks),
-        None => header.z().map_err(error)?,
-    };
+    let Begin {
+        mut rows,
+        mut fields,
+        line,
+        promised,
+        header,
+        names,
+        z,
+        mut remarks,
+    } = Begin::of(source)?;
     let mut table = Table::new(source, line, header, z);
-    if !is_header {
+    if names != Names::FirstRow {
         table.add(line, &fields)?;
     }
     while let Some(line) = rows.next_row(&mut fields)? {
         table.add(line, &fields)?;
     }
     let first_line = table.first_line;
-    if is_header
+    if names == Names::FirstRow
         && let Some(fields) = table.least_beyond
         && !table.coordinates.is_empty()
     {
@@ -117,6 +93,77 @@ pub(super) fn read(source: &Source) -> Result<Edges<'_>, ReadError> {
         remarks,
         ..Edges::without_seeds(vertices, Vec::new(), 0)
     })
+}
+
+/// The beginning of a file: up to the first row of names or numbers, and what it says of all rows.
+struct Begin<'a> {
+    /// The rows that follow.
+    rows: Rows<'a>,
+    /// The first row, and its line.
+    fields: Vec<&'a [u8]>,
+    line: usize,
+    /// How many points there should be, if a row before says that.
+    promised: Option<u64>,
+    header: Header,
+    names: Names,
+    /// The column of the height.
+    z: Option<usize>,
+    remarks: Remarks,
+}
+
+/// Where the names of columns stand.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Names {
+    FirstRow,
+    Comment,
+    Nowhere,
+}
+
+impl<'a> Begin<'a> {
+    fn of(source: &'a Source) -> Result<Begin<'a>, ReadError> {
+        let mut rows = Rows::new(source, separator(source)?)?;
+        let mut fields = Vec::new();
+        let Some(mut line) = rows.next_row(&mut fields)? else {
+            return Err(ReadError::of_file(&source.name, "the file is empty"));
+        };
+        let promised = count(&fields);
+        if promised.is_some()
+            && let Some(next) = rows.next_row(&mut fields)?
+        {
+            line = next;
+        }
+        let mut remarks = Remarks::default();
+        let error = |message: String| ReadError {
+            kind: match fields.len() < 3 || fields.iter().any(|field| wkt::is_in(field)) {
+                true => ReadErrorKind::Content,
+                false => ReadErrorKind::UnknownColumns,
+            },
+            ..source.error_in_line(line, message)
+        };
+        let comment = rows.comment();
+        let (header, names) = match &source.columns[..] {
+            [] => match Header::of(&fields).map_err(error)? {
+                Some(header) => (header, Names::FirstRow),
+                None => Header::not_in(&fields, &comment, &mut remarks).map_err(error)?,
+            },
+            chosen => Header::chosen(chosen, &fields, &comment)
+                .map_err(|message| source.error_in_line(line, message))?,
+        };
+        let z = match &source.height_property {
+            Some(name) => header.asked(name, &mut remarks),
+            None => header.z().map_err(error)?,
+        };
+        Ok(Begin {
+            rows,
+            fields,
+            line,
+            promised,
+            header,
+            names,
+            z,
+            remarks,
+        })
+    }
 }
 
 /// The number of points that a first row is, as some scanners write it.
@@ -179,7 +226,7 @@ impl Header {
         fields: &[&[u8]],
         comment: &[&[u8]],
         remarks: &mut Remarks,
-    ) -> Result<Header, String> {
+    ) -> Result<(Header, Names), String> {
         let shown = || {
             let names = fields.iter().take(8).map(|&name| quoted(name));
             names.collect::<Vec<String>>().join(", ")
@@ -208,7 +255,7 @@ impl Header {
         if comment.len() == fields.len()
             && let Ok(Some(header)) = Header::of(comment)
         {
-            return Ok(header);
+            return Ok((header, Names::Comment));
         }
         if is_word(x) && numbers > 1 {
             let shown = shown();
@@ -224,15 +271,15 @@ impl Header {
             let places = places.map(|place| place + 1).collect();
             remarks.add(Remark::Columns { places, count });
         }
-        Ok(header)
+        Ok((header, Names::Nowhere))
     }
 
-    /// The header where columns are chosen, each by its place or name, and whether the first row has names.
+    /// The header where columns are chosen, each by its place or name.
     fn chosen(
         chosen: &[String],
         fields: &[&[u8]],
         comment: &[&[u8]],
-    ) -> Result<(Header, bool), String> {
+    ) -> Result<(Header, Names), String> {
         let named = |row: &[&[u8]], name: &str| {
             let is_it = |field: &&[u8]| text(field) == name;
             let in_any_case = |field: &&[u8]| text(field).to_lowercase() == name.to_lowercase();
@@ -283,10 +330,10 @@ impl Header {
             return Err(format!("column {place} is chosen twice"));
         }
         let is_header = !begins_as_number(fields[x]) && !begins_as_number(fields[y]);
-        let names = match is_header {
-            true => names(fields),
-            false if comment.len() == fields.len() => names(comment),
-            false => vec![String::new(); fields.len()],
+        let (names, place) = match is_header {
+            true => (names(fields), Names::FirstRow),
+            false if comment.len() == fields.len() => (names(comment), Names::Comment),
+            false => (vec![String::new(); fields.len()], Names::Nowhere),
         };
         let heights = places[2..].to_vec();
         Ok((
@@ -296,7 +343,7 @@ impl Header {
                 y,
                 heights,
             },
-            is_header,
+            place,
         ))
     }
 
@@ -458,11 +505,13 @@ impl<'a> Table<'a> {
         let mut seen: HashMap<String, usize> = HashMap::new();
         let mut fields: Vec<Field<'a>> = Vec::new();
         for (at, (name, pieces)) in header.names.into_iter().zip(self.columns).enumerate() {
-            let has_numbers = |pieces: &Vec<&[u8]>| pieces.iter().any(|piece| !piece.is_empty());
-            // Many programs end each row with a separator.
-            let is_nothing = name.is_empty() && pieces.is_some();
-            let Some(pieces) = pieces.filter(has_numbers) else {
-                if at != header.x && at != header.y && !is_nothing {
+            let count = match name.is_empty() {
+                true => &mut 0,
+                false => seen.entry(name.clone()).or_default(),
+            };
+            *count += 1;
+            let Some(pieces) = pieces else {
+                if at != header.x && at != header.y {
                     let name = match name.is_empty() {
                         true => (at + 1).to_string(),
                         false => name,
@@ -471,16 +520,15 @@ impl<'a> Table<'a> {
                 }
                 continue;
             };
-            let name = match name.as_str() {
+            // Nothing is lost of a column without any number. Many programs end each row with a separator.
+            if pieces.iter().all(|piece| piece.is_empty()) {
+                continue;
+            }
+            let name = match (name.as_str(), *count) {
                 _ if z == Some(at) => Column::HEIGHT.to_owned(),
-                "" => format!("column{}", at + 1),
-                _ => name,
-            };
-            let count = seen.entry(name.clone()).or_default();
-            *count += 1;
-            let name = match *count {
-                1 => name,
-                _ => format!("{name}_{count}"),
+                ("", _) => format!("column{}", at + 1),
+                (_, 1) => name,
+                (_, count) => format!("{name}_{count}"),
             };
             fields.push(Field {
                 name,

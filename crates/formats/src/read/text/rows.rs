@@ -72,6 +72,11 @@ impl<'a> Rows<'a> {
         })
     }
 
+    /// What separates the fields.
+    pub(super) fn separator(&self) -> Separator {
+        self.separator
+    }
+
     /// Puts the fields of the next row in the place of the others; returns its line, or `None` at the end of the file.
     pub(super) fn next_row(
         &mut self,

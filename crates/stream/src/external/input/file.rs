@@ -24,13 +24,28 @@ pub(super) struct InputFile {
 
 impl InputFile {
     pub(super) fn open(path: &Path) -> Result<InputFile, ReadError> {
-        let name = path.display().to_string();
-        let open = || -> io::Result<(File, Metadata)> {
-            let file = File::open(path)?;
+        InputFile::begun(path.display().to_string(), || File::open(path))
+    }
+
+    /// A file that is open, from its beginning.
+    pub(super) fn of(name: &str, file: &File) -> Result<InputFile, ReadError> {
+        InputFile::begun(name.to_owned(), || {
+            let mut file = file.try_clone()?;
+            file.rewind()?;
+            Ok(file)
+        })
+    }
+
+    fn begun(
+        name: String,
+        open: impl FnOnce() -> io::Result<File>,
+    ) -> Result<InputFile, ReadError> {
+        let opened = || -> io::Result<(File, Metadata)> {
+            let file = open()?;
             let metadata = file.metadata()?;
             Ok((file, metadata))
         };
-        match open() {
+        match opened() {
             Err(error) => Err(ReadError::of_file(name, reason(&error))),
             Ok((_, metadata)) if !metadata.is_file() => {
                 let message =

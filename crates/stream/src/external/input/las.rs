@@ -1,279 +1,31 @@
-//! Point clouds of laser scanners, `.las` and `.laz`, with the crate `las`: x, y and perhaps z of each point.
-//!
-//! A file holds whole numbers of 32 bits, and for each axis a scale and an offset. A coordinate is the double that the
-//! crate makes of them.
-//!
-//! The points of a `.laz` are packed in chunks, which a table lists, and newer ones in layers, whose sizes begin a chunk.
-//! The crates allocate what header, table and sizes say, so these are compared with the length of the file before. Chunks
-//! are unpacked whole, on all cores. Without threads, and where a chunk would take much memory, points are unpacked one
-//! after the other instead. Decoders that panic over damaged bytes are caught.
+//! Point clouds of laser scanners, `.las` and `.laz`, read in pieces.
 
-use std::fs::File;
-use std::io::{self, BufReader, Read, Seek, SeekFrom};
-use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::path::Path;
+use std::io::BufReader;
 
-use las::{Header, LazParallelism, PointData, PointDataBuilder, Reader, ReaderOptions};
-use laz::LazVlr;
-use laz::laszip::{ChunkTable, LazItemType};
-use sweep_cdt::threads::has_threads;
-use sweep_cdt_formats::{ReadError, Remark, reason};
+use sweep_cdt_formats::{Cloud as Points, CoordinateSystem, ReadError, Remark};
 
 use crate::external::input::file::InputFile;
 use crate::external::input::{Choice, Input};
 
-/// How many points are read at once: a few chunks of a `.laz`, which are unpacked on all cores. They are fewer where they
-/// would take more than [`BYTES`].
-const POINTS: u64 = 1 << 18;
-
-/// The most bytes of the points that are read at once, and of a chunk that is unpacked whole.
-const BYTES: u64 = 1 << 23;
-
 /// A point cloud.
 pub(super) struct Cloud {
     file: InputFile,
-    reader: Reader,
-    points: PointData,
-    /// The heights of the points that came last, if they are asked for.
+    points: Points,
+    /// The points that came last, and their heights, if they are asked for.
+    places: Vec<[f64; 3]>,
     heights: Option<Vec<f64>>,
-    /// The classes of the points that come, if they were chosen, and how many points have come.
-    classes: Vec<u8>,
-    kept: u64,
-    /// Where the points begin, as the header says.
-    points_begin: u64,
-    read: u64,
-    count: u64,
 }
 
 impl Cloud {
-    pub(super) fn open(path: &Path, choice: &Choice) -> Result<Cloud, ReadError> {
-        let file = InputFile::open(path)?;
+    pub(super) fn new(file: InputFile, choice: &Choice) -> Result<Cloud, ReadError> {
         let read = BufReader::new(file.handle()?);
-        let (reader, points_begin) =
-            caught(|| reader(read, file.length)).map_err(|why| file.error(why))?;
-        let header = reader.header();
-        let (points, count) = (
-            PointDataBuilder::new().for_header(header).build(),
-            header.number_of_points(),
-        );
         Ok(Cloud {
+            points: Points::open(&file.name, read, file.length, &choice.classes)?,
             file,
-            reader,
-            points,
+            places: Vec::new(),
             heights: choice.heights.then(Vec::new),
-            classes: choice.classes.clone(),
-            kept: 0,
-            points_begin,
-            read: 0,
-            count,
         })
     }
-
-    /// Appends those of the next points that were chosen, and sets their heights.
-    fn read_some(&mut self, points: &mut Vec<[f64; 2]>) -> Result<(), ReadError> {
-        let each = self.reader.header().point_format().len();
-        let most = POINTS.min(BYTES / u64::from(each.max(1)));
-        let most = most.min(self.count - self.read);
-        let Cloud {
-            reader,
-            points: unpacked,
-            ..
-        } = self;
-        let read = caught(|| {
-            let read = reader.fill_points(most, unpacked);
-            read.map_err(|error| error.to_string())
-        });
-        let fault = |why: String| {
-            let (read, count) = (self.read, self.count);
-            self.file
-                .error(format!("after point {read} of {count}: {why}"))
-        };
-        match read {
-            Ok(read) if read == most => {}
-            Ok(_) => return Err(fault("the file ends".to_owned())),
-            Err(why) => return Err(fault(why)),
-        }
-        self.read += most;
-        let is_chosen = |class: u8| self.classes.is_empty() || self.classes.contains(&class);
-        let pairs = self
-            .points
-            .x()
-            .zip(self.points.y())
-            .zip(self.points.classification());
-        let chosen = pairs.filter(|&(_, class)| is_chosen(class));
-        points.extend(chosen.map(|((x, y), _)| [x, y]));
-        if let Some(heights) = &mut self.heights {
-            let chosen = self.points.z().zip(self.points.classification());
-            let chosen = chosen.filter(|&(_, class)| is_chosen(class));
-            heights.extend(chosen.map(|(z, _)| z));
-        }
-        Ok(())
-    }
-}
-
-/// What the crates make of a file. Some of their decoders end in a panic where bytes are damaged: here that is an error,
-/// after which nobody goes on with them.
-fn caught<T>(work: impl FnOnce() -> Result<T, String>) -> Result<T, String> {
-    let done = catch_unwind(AssertUnwindSafe(work));
-    done.unwrap_or_else(|_| Err("what is packed is damaged".to_owned()))
-}
-
-/// Checks a file, and reads it from the begin. Returns also where its points begin.
-fn reader(mut read: BufReader<File>, length: u64) -> Result<(Reader, u64), String> {
-    let begin = check_lengths(&mut read, length)?;
-    read.rewind().map_err(|error| reason(&error))?;
-    let chunk = largest_chunk(&mut read, length)?;
-    let parallelism = match chunk <= BYTES && has_threads() {
-        true => LazParallelism::Yes,
-        false => LazParallelism::No,
-    };
-    let options = ReaderOptions::default().with_laz_parallelism(parallelism);
-    read.rewind().map_err(|error| reason(&error))?;
-    let reader = Reader::with_options(read, options).map_err(|error| error.to_string())?;
-    Ok((reader, begin))
-}
-
-/// Refuses a header that says of points, and of the record behind them, more than the file has room for.
-/// Returns where the points begin.
-fn check_lengths(read: &mut (impl Read + Seek), length: u64) -> Result<u64, String> {
-    let header = las::raw::Header::read_from(&mut *read).map_err(|error| error.to_string())?;
-    let large = header.large_file.map(|large| large.number_of_point_records);
-    let count = match header.number_of_point_records {
-        0 => large.unwrap_or(0),
-        count => u64::from(count),
-    };
-    let bytes = count.checked_mul(u64::from(header.point_data_record_length));
-    let end = bytes.and_then(|bytes| bytes.checked_add(header.offset_to_point_data.into()));
-    let is_packed = header.point_data_record_format & 0x80 != 0;
-    if end.is_none_or(|end| end > length && !is_packed) {
-        return Err(format!(
-            "it has {length} bytes, and {count} points take more: it is cut off"
-        ));
-    }
-    let points_begin = header.offset_to_point_data.into();
-    let Some(record) = header.evlr else {
-        return Ok(points_begin);
-    };
-    let begin = record.start_of_first_evlr;
-    // Behind 20 bytes stands the length of what follows a head of 60.
-    let after = |bytes: u64| begin.checked_add(bytes).filter(|&place| place <= length);
-    let size = after(20).map(|place| {
-        read.seek(SeekFrom::Start(place))?;
-        next_number(read)
-    });
-    let size = size.transpose().map_err(|error| reason(&error))?;
-    match size.and_then(|size| after(size.checked_add(60)?)) {
-        Some(_) => Ok(points_begin),
-        None => Err(format!(
-            "the record behind its points is longer than its {length} bytes"
-        )),
-    }
-}
-
-/// The bytes of the points of the largest chunk; 0 where nothing is packed. Refuses a table of chunks with more than the
-/// file has room for.
-fn largest_chunk(read: &mut (impl Read + Seek + Send), length: u64) -> Result<u64, String> {
-    let header = Header::new(&mut *read).map_err(|error| error.to_string())?;
-    if !header.point_format().is_compressed {
-        return Ok(0);
-    }
-    let vlr = header.laz_vlr().map_err(|error| error.to_string())?;
-    let [packed, each] = [vlr.items_size(), header.point_format().len().into()];
-    if packed != each {
-        return Err(format!(
-            "a point has {each} bytes by its header, and {packed} where it is packed"
-        ));
-    }
-    let (begin, table, count) = table_of_chunks(read).map_err(|error| error.to_string())?;
-    let room = table.saturating_sub(begin);
-    if table > length || u64::from(count) > room {
-        return Err(format!(
-            "its table of chunks has {count} entries, and there is no room for so many in its {length} bytes"
-        ));
-    }
-    let chunks = read
-        .seek(SeekFrom::Start(begin))
-        .map_err(|error| error.to_string())
-        .and_then(|_| ChunkTable::read_from(&mut *read, &vlr).map_err(|error| error.to_string()))?;
-    let chunks: &[_] = chunks.as_ref();
-    let packed = chunks.iter().map(|chunk| u128::from(chunk.byte_count));
-    if packed.sum::<u128>() > u128::from(room) {
-        return Err(format!("its chunks are longer than its {length} bytes"));
-    }
-    let mut place = begin + ChunkTable::OFFSET_SIZE as u64;
-    for (number, chunk) in chunks
-        .iter()
-        .enumerate()
-        .filter(|(_, chunk)| chunk.byte_count > 0)
-    {
-        let layers = layers(read, place, &vlr).map_err(|error| error.to_string())?;
-        if layers > chunk.byte_count {
-            return Err(format!(
-                "the layers of chunk {number} are longer than the chunk"
-            ));
-        }
-        place += chunk.byte_count;
-    }
-    let points = chunks.iter().map(|chunk| chunk.point_count);
-    let count = header.number_of_points();
-    let most = points.clone().fold(0_u64, u64::saturating_add);
-    if count > most {
-        return Err(format!(
-            "its header says {count} points, and its chunks have at most {most}"
-        ));
-    }
-    Ok(points.max().unwrap_or(0).saturating_mul(each))
-}
-
-/// The bytes of the layers of the chunk at a place, as it says: after its first point and the number of its points. Points
-/// of the first formats have no layers.
-fn layers(read: &mut (impl Read + Seek), place: u64, vlr: &LazVlr) -> io::Result<u64> {
-    let count = |item: LazItemType| match item {
-        LazItemType::Point14 => 9,
-        LazItemType::RGB14 | LazItemType::WavePacket14 => 1,
-        LazItemType::RGBNIR14 => 2,
-        LazItemType::Byte14(count) => usize::from(count),
-        _ => 0,
-    };
-    let count: usize = vlr.items().iter().map(|item| count(item.item_type())).sum();
-    let mut sizes = vec![[0; 4]; count];
-    read.seek(SeekFrom::Start(place + vlr.items_size() + 4))?;
-    read.read_exact(sizes.as_flattened_mut())?;
-    let sizes = sizes.into_iter().map(u32::from_le_bytes);
-    Ok(sizes.map(u64::from).sum())
-}
-
-/// Where the points begin, where the table of chunks begins, and how many entries it has. Its place stands before the
-/// points, or, where that is not known when they are written, at the end.
-fn table_of_chunks(read: &mut (impl Read + Seek)) -> io::Result<(u64, u64, u32)> {
-    let begin = read.stream_position()?;
-    let mut table = next_place(read)?;
-    if table <= begin {
-        read.seek(SeekFrom::End(-8))?;
-        table = next_place(read)?;
-    }
-    read.seek(SeekFrom::Start(table))?;
-    let mut bytes = [0; 8];
-    read.read_exact(&mut bytes)?;
-    let [_, _, _, _, count @ ..] = bytes;
-    Ok((begin, table, u32::from_le_bytes(count)))
-}
-
-/// The next eight bytes as a number.
-fn next_number(read: &mut impl Read) -> io::Result<u64> {
-    let mut bytes = [0; 8];
-    read.read_exact(&mut bytes)?;
-    Ok(u64::from_le_bytes(bytes))
-}
-
-/// The next eight bytes as a place in the file, or 0.
-fn next_place(read: &mut impl Read) -> io::Result<u64> {
-    let number = next_number(read)?;
-    Ok(if i64::try_from(number).is_ok() {
-        number
-    } else {
-        0
-    })
 }
 
 impl Input for Cloud {
@@ -282,19 +34,17 @@ impl Input for Cloud {
     }
 
     fn next_points(&mut self, points: &mut Vec<[f64; 2]>) -> Result<(), ReadError> {
+        self.places.clear();
+        let come = self.points.next_points(&mut self.places)?;
+        points.extend(self.places.iter().map(|&[x, y, _]| [x, y]));
         if let Some(heights) = &mut self.heights {
             heights.clear();
+            heights.extend(self.places.iter().map(|&[.., z]| z));
         }
-        let before = points.len();
-        // Of some points none may be of a chosen class.
-        while points.len() == before && self.read < self.count {
-            self.read_some(points)?;
+        match come {
+            0 => self.file.check(),
+            _ => Ok(()),
         }
-        self.kept += (points.len() - before) as u64;
-        if points.len() == before {
-            return self.file.check();
-        }
-        Ok(())
     }
 
     fn heights(&self) -> Option<&[f64]> {
@@ -305,50 +55,22 @@ impl Input for Cloud {
         Ok(())
     }
 
-    /// A header that says of no points, or that they are all in one place, is one that was never completed.
     fn remarks(&self) -> Vec<Remark> {
-        let header = self.reader.header();
-        let mut remarks = Vec::new();
-        let bytes = self.file.length.saturating_sub(self.points_begin);
-        if self.count == 0 && bytes >= u64::from(header.point_format().len().max(1)) {
-            let what = format!("that there are 0 points, and {bytes} bytes follow");
-            remarks.push(Remark::Promise { what });
-        }
-        let transforms = header.transforms();
-        for (axis, scale) in [("x", transforms.x.scale), ("y", transforms.y.scale)] {
-            if scale.abs() == 0.0 {
-                let what =
-                    format!("that the scale of {axis} is 0, so that all points have one {axis}");
-                remarks.push(Remark::Promise { what });
-            }
-        }
-        let count = |points| usize::try_from(points).unwrap_or(usize::MAX);
-        if !self.classes.is_empty() && self.read == self.count {
-            remarks.push(Remark::Classes {
-                kept: count(self.kept),
-                points: count(self.count),
-            });
-        }
-        if self.count > 0 {
-            let what = match self.heights {
-                None => "heights, and all else that points have",
-                Some(_) => "classes, and all else that points have beside places and heights",
-            };
-            remarks.push(Remark::Ignored {
-                count: count(self.count),
-                what: what.to_owned(),
-            });
-        }
-        remarks
+        self.points.remarks(self.heights.is_some())
     }
 
     fn has_heights(&self) -> bool {
         true
     }
 
+    fn system(&self) -> Option<CoordinateSystem> {
+        self.points.system()
+    }
+
     /// The share of the points, as bytes.
     fn progress(&self) -> (u64, u64) {
-        let each = self.file.length / self.count.max(1);
-        (self.read * each, self.count * each)
+        let (read, count) = self.points.progress();
+        let each = self.file.length / count.max(1);
+        (read * each, count * each)
     }
 }

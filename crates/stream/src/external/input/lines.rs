@@ -139,6 +139,11 @@ impl<'a> Line<'a> {
         (!token.is_empty()).then_some(token)
     }
 
+    /// Whether no token follows.
+    pub(super) fn is_over(&self) -> bool {
+        self.rest.is_empty()
+    }
+
     /// An error in this line.
     pub(super) fn error(&self, message: impl Into<String>) -> ReadError {
         self.file.error_in_line(self.number, message)

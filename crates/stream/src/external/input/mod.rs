@@ -10,9 +10,12 @@ mod raw;
 mod text;
 mod triangle;
 
+use std::fs::File;
 use std::path::Path;
 
-use sweep_cdt_formats::{Format, ReadError, Remark};
+use sweep_cdt_formats::{Column, CoordinateSystem, Format, ReadError, Remark};
+
+use self::file::InputFile;
 
 /// Points and edges that come in pieces: a file, or what a program makes.
 pub trait Input {
@@ -35,6 +38,12 @@ pub trait Input {
         None
     }
 
+    /// The other columns of the points that came last, if they are asked for. When all points are read, their names are
+    /// those of the columns that hold numbers in the whole file. Before that there may be fewer, or others.
+    fn columns(&self) -> &[Column] {
+        &[]
+    }
+
     /// Appends the next edges, by the numbers of their ends from 0. If there are none, no more will come. All points are
     /// read before the first edge.
     ///
@@ -51,6 +60,11 @@ pub trait Input {
     /// Whether the points have heights in the input, left out or not.
     fn has_heights(&self) -> bool {
         false
+    }
+
+    /// The coordinate system of the points, if the input names one.
+    fn system(&self) -> Option<CoordinateSystem> {
+        None
     }
 
     /// How many bytes of how many are read.
@@ -87,6 +101,9 @@ pub fn open(
     open_chosen(path, format, edges, &Choice::default())
 }
 
+/// As many columns are read at most; more are left out.
+const MOST_COLUMNS: usize = 1 << 12;
+
 /// The parts of a file that are read.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Choice {
@@ -99,6 +116,9 @@ pub struct Choice {
     /// Whether points come with their heights, if they have any: z of `.ply`, `.las` and text, the first attribute of
     /// `.node` and `.poly`.
     pub heights: bool,
+    /// Whether points come with their other columns, beside heights: properties of `.ply`, attributes and markers of `.node` and `.poly`,
+    /// columns of numbers of text.
+    pub others: bool,
 }
 
 /// Opens a file as [`open`] does, and reads what was chosen.
@@ -111,21 +131,46 @@ pub fn open_chosen(
     edges: Option<&Path>,
     choice: &Choice,
 ) -> Result<Box<dyn Input>, ReadError> {
-    if !choice.classes.is_empty() && !matches!(format, Format::Las | Format::Laz) {
-        let message = format!("a .{} has no classes of points", format.name());
-        return Err(ReadError::of_file(path.display().to_string(), message));
-    }
+    // A wrong choice is refused whether the file is there or not.
+    format.expect_classes(&path.display().to_string(), &choice.classes)?;
+    let node = path.with_extension("node");
+    begin(InputFile::open(path)?, Some(&node), format, edges, choice)
+}
+
+/// Reads an open file of this name from its beginning, as [`open_chosen`] does. A `.poly` must have its vertices itself.
+/// While it is read, nobody else may move where the file stands.
+///
+/// # Errors
+/// The errors of [`open_chosen`].
+pub fn read_chosen(
+    name: &str,
+    file: &File,
+    format: Format,
+    edges: Option<&Path>,
+    choice: &Choice,
+) -> Result<Box<dyn Input>, ReadError> {
+    format.expect_classes(name, &choice.classes)?;
+    begin(InputFile::of(name, file)?, None, format, edges, choice)
+}
+
+fn begin(
+    file: InputFile,
+    node: Option<&Path>,
+    format: Format,
+    edges: Option<&Path>,
+    choice: &Choice,
+) -> Result<Box<dyn Input>, ReadError> {
     let input: Box<dyn Input> = match format {
-        Format::F64 => Box::new(raw::Points::open(path)?),
-        Format::Ply => Box::new(ply::Ply::open(path, choice.heights)?),
-        Format::Node => Box::new(triangle::Triangle::open(path, false, choice.heights)?),
-        Format::Poly => Box::new(triangle::Triangle::open(path, true, choice.heights)?),
-        Format::Csv | Format::Xyz | Format::Txt => Box::new(text::Text::open(path, choice)?),
+        Format::F64 => Box::new(raw::Points::new(file)?),
+        Format::Ply => Box::new(ply::Ply::new(file, choice)?),
+        Format::Node => Box::new(triangle::Triangle::of_node(file, choice)?),
+        Format::Poly => Box::new(triangle::Triangle::of_poly(file, node, choice)?),
+        Format::Csv | Format::Xyz | Format::Txt => Box::new(text::Text::new(file, choice)?),
         #[cfg(feature = "las")]
-        Format::Las | Format::Laz => Box::new(las::Cloud::open(path, choice)?),
+        Format::Las | Format::Laz => Box::new(las::Cloud::new(file, choice)?),
         _ => {
             let message = format!("a .{} is not read in pieces", format.name());
-            return Err(ReadError::of_file(path.display().to_string(), message));
+            return Err(file.error(message));
         }
     };
     let has_edges = matches!(format, Format::Ply | Format::Poly);

@@ -1,17 +1,17 @@
 //! Stanford's `.ply`, as text or binary: the elements `vertex` and `edge`, read in pieces.
 //!
 //! The header is read as for a file in memory. Of the elements that follow, the points are read first, and then the edges:
-//! from where the points ended, or from the begin once more where edges stand before the points. Of a vertex x, y and
-//! perhaps z are read. All other elements and properties are read over.
+//! from where the points ended, or from the begin once more where edges stand before the points. Of a vertex x and y
+//! are read, and what is chosen of z and the other numbers. All other elements and properties are read over.
 
-use std::path::Path;
+use std::mem;
 
 use sweep_cdt_formats::ply::Header;
-use sweep_cdt_formats::{ReadError, Remark, Source, quoted};
+use sweep_cdt_formats::{Column, ReadError, Remark, Source, quoted};
 
-use crate::external::input::Input;
 use crate::external::input::file::InputFile;
 use crate::external::input::ply_body::{Body, Element, Piece, Property};
+use crate::external::input::{Choice, Input, MOST_COLUMNS};
 
 /// No header is longer.
 const LONGEST_HEADER: usize = 1 << 20;
@@ -32,15 +32,18 @@ pub(super) struct Ply {
     is_at_edges: bool,
     left_out: Vec<Remark>,
     has_heights: bool,
-    /// The place of z among the properties of a vertex, if heights are asked for, and what came last.
+    /// The place of z among the properties of a vertex, if heights are asked for.
     z: Option<usize>,
-    places: Vec<[f64; 3]>,
+    /// The places of all properties that are read of a vertex: x, y, perhaps z, and others.
+    places: Vec<usize>,
+    /// The rows that came last, and their heights and other columns.
+    rows: Vec<f64>,
     heights: Vec<f64>,
+    columns: Vec<Column>,
 }
 
 impl Ply {
-    pub(super) fn open(path: &Path, heights: bool) -> Result<Ply, ReadError> {
-        let mut file = InputFile::open(path)?;
+    pub(super) fn new(mut file: InputFile, choice: &Choice) -> Result<Ply, ReadError> {
         let mut bytes = Vec::new();
         file.read(LONGEST_HEADER, &mut bytes)?;
         let source = Source::new(&file.name, bytes);
@@ -49,6 +52,7 @@ impl Ply {
         let mut elements = Vec::new();
         let mut vertex = None;
         let mut z = None;
+        let (mut columns, mut places) = (Vec::new(), Vec::new());
         let mut left_out = Vec::new();
         for element in &header.elements {
             let names = match element.name {
@@ -74,14 +78,35 @@ impl Ply {
                 vertex = Some(elements.len());
                 z = element
                     .place(&[b"z"])
-                    .filter(|&z| heights && element.properties[z].length.is_none());
+                    .filter(|&z| choice.heights && element.properties[z].length.is_none());
+                places.extend(pair.into_iter().flatten().chain(z));
+                let properties = element.properties.iter().enumerate();
+                let others = properties.filter(|(at, property)| {
+                    property.length.is_none() && property.name != b"z" && !places.contains(at)
+                });
+                let most = if choice.others { MOST_COLUMNS } else { 0 };
+                let others: Vec<(usize, Column)> = others
+                    .take(most)
+                    .map(|(at, property)| {
+                        let name = String::from_utf8_lossy(property.name).into_owned();
+                        let values = Vec::new();
+                        (at, Column { name, values })
+                    })
+                    .collect();
+                for (at, column) in others {
+                    places.push(at);
+                    columns.push(column);
+                }
             }
             let name = quoted(element.name);
             match pair {
                 Some(pair) => {
                     let others = element.properties.iter().enumerate();
-                    let is_height = |at| element.name == b"vertex" && z == Some(at);
-                    let others = others.filter(|&(at, _)| !pair.contains(&at) && !is_height(at));
+                    let is_read = |at| match element.name {
+                        b"vertex" => places.contains(&at),
+                        _ => pair.contains(&at),
+                    };
+                    let others = others.filter(|&(at, _)| !is_read(at));
                     left_out.extend(others.map(|(_, property)| {
                         let what = format!("property {} of {name}", quoted(property.name));
                         Remark::Ignored { count: 1, what }
@@ -128,18 +153,20 @@ impl Ply {
             left_out,
             has_heights,
             z,
-            places: Vec::new(),
+            places,
+            rows: Vec::new(),
             heights: Vec::new(),
+            columns,
         };
         ply.body.go_to(begin)?;
         Ok(ply)
     }
 
     /// The properties at these places of the next records of the element that is read, some of them or all.
-    fn next_rows<T, const N: usize>(
+    fn next_rows<T: Copy + Default>(
         &mut self,
-        places: [usize; N],
-        rows: &mut Vec<[T; N]>,
+        places: &[usize],
+        rows: &mut Vec<T>,
         value: impl Fn(&Piece<'_>) -> Result<T, ReadError>,
     ) -> Result<(), ReadError> {
         let element = &self.elements[self.element];
@@ -187,24 +214,34 @@ impl Input for Ply {
         let vertex = self.vertex;
         self.go_to_element(|at, _| at >= vertex)?;
         self.heights.clear();
+        for column in &mut self.columns {
+            column.values.clear();
+        }
         if self.element != self.vertex {
             return self.body.file().check();
         }
-        let [x, y] = self.elements[vertex].pair.expect("it has x and y");
-        let Some(z) = self.z else {
-            return self.next_rows([x, y], points, |piece| piece.coordinate());
-        };
-        let mut places = std::mem::take(&mut self.places);
-        places.clear();
-        self.next_rows([x, y, z], &mut places, |piece| piece.coordinate())?;
-        points.extend(places.iter().map(|&[x, y, _]| [x, y]));
-        self.heights.extend(places.iter().map(|&[.., z]| z));
-        self.places = places;
-        Ok(())
+        let (places, mut rows) = (mem::take(&mut self.places), mem::take(&mut self.rows));
+        rows.clear();
+        let read = self.next_rows(&places, &mut rows, |piece| piece.coordinate());
+        for row in rows.chunks_exact(places.len()) {
+            let [x, y, others @ ..] = row else { continue };
+            points.push([*x, *y]);
+            let (height, others) = others.split_at(usize::from(self.z.is_some()));
+            self.heights.extend(height);
+            for (column, &value) in self.columns.iter_mut().zip(others) {
+                column.values.push(value);
+            }
+        }
+        (self.places, self.rows) = (places, rows);
+        read
     }
 
     fn heights(&self) -> Option<&[f64]> {
         self.z.map(|_| &self.heights[..])
+    }
+
+    fn columns(&self) -> &[Column] {
+        &self.columns
     }
 
     fn next_edges(&mut self, edges: &mut Vec<[u64; 2]>) -> Result<(), ReadError> {
@@ -219,7 +256,12 @@ impl Input for Ply {
         }
         self.go_to_element(|at, element| at != vertex && element.pair.is_some())?;
         match self.elements.get(self.element).and_then(|edge| edge.pair) {
-            Some(ends) => self.next_rows(ends, edges, |end| end.index("a vertex's number")),
+            Some(ends) => {
+                let mut corners = Vec::new();
+                self.next_rows(&ends, &mut corners, |end| end.index("a vertex's number"))?;
+                edges.extend_from_slice(corners.as_chunks().0);
+                Ok(())
+            }
             None => self.body.file().check(),
         }
     }

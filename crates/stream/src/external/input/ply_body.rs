@@ -101,12 +101,12 @@ impl Body {
     }
 
     /// Reads so many records of an element, from this one on: of each the properties at these places.
-    pub(super) fn read<T, const N: usize>(
+    pub(super) fn read<T: Copy + Default>(
         &mut self,
-        (element, places): (&Element, [usize; N]),
+        (element, places): (&Element, &[usize]),
         first: u64,
         count: u64,
-        rows: &mut Vec<[T; N]>,
+        rows: &mut Vec<T>,
         value: impl Fn(&Piece<'_>) -> Result<T, ReadError>,
     ) -> Result<(), ReadError> {
         match self {
@@ -120,7 +120,7 @@ impl Body {
     pub(super) fn skip(&mut self, element: &Element, first: u64) -> Result<(), ReadError> {
         match self {
             Body::Text(lines) => (first..element.count).try_for_each(|at| {
-                read_line::<u64, 0>(lines, (element, []), at, &mut Vec::new(), |_| Ok(0))
+                read_line::<u64>(lines, (element, &[]), at, &mut Vec::new(), |_| Ok(0))
             }),
             Body::Binary(binary) => binary.skip(element, first),
         }
@@ -147,18 +147,19 @@ impl Body {
 }
 
 /// Reads a record of a text.
-fn read_line<T, const N: usize>(
+fn read_line<T: Copy + Default>(
     lines: &mut Lines,
-    (element, places): (&Element, [usize; N]),
+    (element, places): (&Element, &[usize]),
     record: u64,
-    rows: &mut Vec<[T; N]>,
+    rows: &mut Vec<T>,
     value: impl Fn(&Piece<'_>) -> Result<T, ReadError>,
 ) -> Result<(), ReadError> {
     let mut line = lines.expect(|| {
         let Element { name, count, .. } = element;
         format!("{name} {} of {count}", record + 1)
     })?;
-    let mut found = [const { None }; N];
+    let found = rows.len();
+    rows.resize(found + places.len(), T::default());
     for (at, property) in element.properties.iter().enumerate() {
         let count = match property.length {
             None => 1,
@@ -182,18 +183,11 @@ fn read_line<T, const N: usize>(
                     number: None,
                     error: &error,
                 };
-                found[place] = Some(value(&piece)?);
+                rows[found + place] = value(&piece)?;
             }
         }
     }
-    rows.extend(row(found));
     Ok(())
-}
-
-/// A row, if all of it is found.
-fn row<T, const N: usize>(found: [Option<T>; N]) -> Option<[T; N]> {
-    let is_whole = found.iter().all(Option::is_some);
-    is_whole.then(|| found.map(|value| value.expect("all are there")))
 }
 
 /// The bytes of numbers.
@@ -237,12 +231,12 @@ impl Binary {
     }
 
     /// Reads so many records of an element, from this one on: of each the properties at these places.
-    fn read<T, const N: usize>(
+    fn read<T: Copy + Default>(
         &mut self,
-        (element, places): (&Element, [usize; N]),
+        (element, places): (&Element, &[usize]),
         first: u64,
         count: u64,
-        rows: &mut Vec<[T; N]>,
+        rows: &mut Vec<T>,
         value: impl Fn(&Piece<'_>) -> Result<T, ReadError>,
     ) -> Result<(), ReadError> {
         let Some(stride) = element.stride() else {
@@ -257,12 +251,13 @@ impl Binary {
             let before = element.properties[..place].iter();
             before.map(|property| property.kind.size()).sum::<usize>()
         };
-        let fields = places.map(|place| {
+        let field = |&place: &usize| {
             let kind = element.properties[place].kind;
             let begin = offset(place);
             let big_endian = self.big_endian;
             (begin..begin + kind.size(), Number { kind, big_endian })
-        });
+        };
+        let fields: Vec<(Range<usize>, Number)> = places.iter().map(field).collect();
         for at in first..first + count {
             if !self.has(stride)? {
                 return Err(element.error(&self.file, at, &element.end()));
@@ -276,11 +271,9 @@ impl Binary {
                     error: &error,
                 })
             };
-            let mut found = [const { None }; N];
-            for (found, field) in found.iter_mut().zip(&fields) {
-                *found = Some(read(field)?);
+            for field in &fields {
+                rows.push(read(field)?);
             }
-            rows.extend(row(found));
             self.at += stride;
         }
         Ok(())
@@ -290,7 +283,7 @@ impl Binary {
     fn skip(&mut self, element: &Element, first: u64) -> Result<(), ReadError> {
         let Some(stride) = element.stride() else {
             return (first..element.count).try_for_each(|at| {
-                self.read_record::<u64, 0>((element, []), at, &mut Vec::new(), &|_| Ok(0))
+                self.read_record::<u64>((element, &[]), at, &mut Vec::new(), &|_| Ok(0))
             });
         };
         let bytes = self.check_length(element, first, stride)?;
@@ -309,14 +302,15 @@ impl Binary {
     }
 
     /// Reads a record whose length is known when it is read.
-    fn read_record<T, const N: usize>(
+    fn read_record<T: Copy + Default>(
         &mut self,
-        (element, places): (&Element, [usize; N]),
+        (element, places): (&Element, &[usize]),
         record: u64,
-        rows: &mut Vec<[T; N]>,
+        rows: &mut Vec<T>,
         value: &impl Fn(&Piece<'_>) -> Result<T, ReadError>,
     ) -> Result<(), ReadError> {
-        let mut found = [const { None }; N];
+        let found = rows.len();
+        rows.resize(found + places.len(), T::default());
         for (at, property) in element.properties.iter().enumerate() {
             let kind = property.length.unwrap_or(property.kind);
             if !self.has(kind.size())? {
@@ -335,7 +329,7 @@ impl Binary {
             let members = match (property.length, place) {
                 (Some(_), _) => piece.index("the length of a list")?,
                 (None, Some(place)) => {
-                    found[place] = Some(value(&piece)?);
+                    rows[found + place] = value(&piece)?;
                     0
                 }
                 (None, None) => 0,
@@ -345,7 +339,6 @@ impl Binary {
                 return Err(element.error(&self.file, record, &element.end()));
             }
         }
-        rows.extend(row(found));
         Ok(())
     }
 }

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use sweep_cdt_formats::{ReadError, Remark};
+use sweep_cdt_formats::{Column, CoordinateSystem, ReadError, Remark};
 
 use crate::external::input::Input;
 use crate::external::input::file::{InputFile, PIECE};
@@ -18,9 +18,8 @@ struct Pairs {
 }
 
 impl Pairs {
-    fn open(path: &Path, what: &str) -> Result<Pairs, ReadError> {
-        let file = InputFile::open(path)?;
-        if file.length % PAIR as u64 != 0 {
+    fn new(file: InputFile, what: &str) -> Result<Pairs, ReadError> {
+        if !file.length.is_multiple_of(PAIR as u64) {
             let length = file.length;
             let message = format!(
                 "the file has {length} bytes, and {what} takes {PAIR}: it is cut off, or holds something else"
@@ -48,8 +47,8 @@ impl Pairs {
 pub(super) struct Points(Pairs);
 
 impl Points {
-    pub(super) fn open(path: &Path) -> Result<Points, ReadError> {
-        Pairs::open(path, "a point of two doubles").map(Points)
+    pub(super) fn new(file: InputFile) -> Result<Points, ReadError> {
+        Pairs::new(file, "a point of two doubles").map(Points)
     }
 }
 
@@ -83,7 +82,7 @@ impl WithEdges {
     pub(super) fn open(points: Box<dyn Input>, edges: &Path) -> Result<WithEdges, ReadError> {
         Ok(WithEdges {
             points,
-            edges: Pairs::open(edges, "an edge of two numbers of points")?,
+            edges: Pairs::new(InputFile::open(edges)?, "an edge of two numbers of points")?,
             are_points_read: false,
         })
     }
@@ -114,6 +113,10 @@ impl Input for WithEdges {
         self.points.heights()
     }
 
+    fn columns(&self) -> &[Column] {
+        self.points.columns()
+    }
+
     fn next_edges(&mut self, edges: &mut Vec<[u64; 2]>) -> Result<(), ReadError> {
         self.are_points_read = true;
         edges.extend(self.edges.next()?.map(|pair| pair.map(u64::from_le_bytes)));
@@ -126,6 +129,10 @@ impl Input for WithEdges {
 
     fn has_heights(&self) -> bool {
         self.points.has_heights()
+    }
+
+    fn system(&self) -> Option<CoordinateSystem> {
+        self.points.system()
     }
 
     fn progress(&self) -> (u64, u64) {

@@ -6,7 +6,6 @@
 //! once more up to where quotes are closed, and with what follows it, and an error counts only if that does not help.
 
 use std::ops::Range;
-use std::path::Path;
 
 use sweep_cdt::threads::on_all_cores;
 use sweep_cdt_formats::{
@@ -14,7 +13,7 @@ use sweep_cdt_formats::{
 };
 
 use crate::external::input::file::InputFile;
-use crate::external::input::{Choice, Input};
+use crate::external::input::{Choice, Input, MOST_COLUMNS};
 
 /// The bytes of a piece, and of the pieces that are read at once.
 const PIECE: usize = 1 << 17;
@@ -37,15 +36,23 @@ pub(super) struct Text {
     /// As far as the first piece shows.
     left_out: Vec<Remark>,
     has_heights: bool,
-    /// The heights of the points that came last, if they are asked for.
+    /// The heights of the points that came last, if they are asked for, and their other columns.
     heights: Option<Vec<f64>>,
+    columns: Vec<Column>,
+    /// How many points have come since they were asked for.
+    come: usize,
+    /// The columns that have text in some piece, as remarks name them.
+    words: Vec<String>,
 }
 
-/// Points, and the height of each if heights are asked for.
+/// Points, the height of each if heights are asked for, and their other columns.
 #[derive(Debug, Default)]
 struct Points {
     places: Vec<[f64; 2]>,
     heights: Vec<f64>,
+    columns: Vec<Column>,
+    /// The columns that have text, as remarks name them.
+    words: Vec<String>,
 }
 
 /// How a file begins, up to the first row and with it.
@@ -58,13 +65,13 @@ struct Begin {
     lines: usize,
     /// How many points that is: none, if the row holds names.
     points: usize,
-    /// Whether heights are asked for.
+    /// Whether heights are asked for, and other columns.
     heights: bool,
+    others: bool,
 }
 
 impl Text {
-    pub(super) fn open(path: &Path, choice: &Choice) -> Result<Text, ReadError> {
-        let mut file = InputFile::open(path)?;
+    pub(super) fn new(mut file: InputFile, choice: &Choice) -> Result<Text, ReadError> {
         let mut bytes = Vec::new();
         let mut length = loop {
             file.read(PIECE, &mut bytes)?;
@@ -82,6 +89,7 @@ impl Text {
             lines: 0,
             points: 0,
             heights: choice.heights,
+            others: choice.others,
         };
         let mut first = begin.points_with(&[]);
         for _ in 1..MOST_LINES {
@@ -106,10 +114,13 @@ impl Text {
         if let Ok(shown) = shown {
             has_heights = shown.heights().is_some();
             let columns = shown.columns.iter();
-            let columns =
-                columns.filter(|column| !(choice.heights && column.name == Column::HEIGHT));
+            let is_read = |column: &&Column| match &column.name[..] {
+                Column::HEIGHT => choice.heights,
+                _ => choice.others,
+            };
+            let columns = columns.filter(|column| !is_read(column));
             left_out.extend(columns.map(|column| {
-                let what = format!("column {}", quoted(column.name.as_bytes()));
+                let what = named(&column.name);
                 Remark::Ignored { count: 1, what }
             }));
             // A piece has fewer points than the file.
@@ -122,6 +133,9 @@ impl Text {
             left_out,
             has_heights,
             heights: (choice.heights && has_heights).then(Vec::new),
+            columns: Vec::new(),
+            come: 0,
+            words: Vec::new(),
             lines: begin.lines,
             begin,
             first,
@@ -139,7 +153,7 @@ impl Text {
         let mut end = 0;
         for (piece_end, found) in on_all_cores(pieces, of_piece) {
             let Ok(found) = found else { break };
-            add(found, points, &mut self.heights);
+            self.add(found, points);
             end = piece_end;
         }
         self.pass(end);
@@ -168,7 +182,7 @@ impl Text {
                     return Err(self.file.error_in_line(self.lines + 1, message));
                 }
                 Ok(found) if end > 0 => {
-                    add(found, points, &mut self.heights);
+                    self.add(found, points);
                     self.pass(end);
                     return Ok(());
                 }
@@ -187,6 +201,62 @@ impl Text {
         }
     }
 
+    /// Adds points, their heights if heights are asked for, and their other columns. A column that is not there has no
+    /// numbers in this piece; one with text in any piece is none.
+    fn add(&mut self, found: Points, points: &mut Vec<[f64; 2]>) {
+        let count = found.places.len();
+        if let Some(heights) = &mut self.heights {
+            heights.extend(&found.heights);
+            heights.resize(heights.len() + count - found.heights.len(), f64::NAN);
+        }
+        points.extend(found.places);
+        let before = self.come;
+        self.come += count;
+        for what in found.words {
+            if !self.words.contains(&what) {
+                let remark = Remark::Ignored {
+                    count: 1,
+                    what: what.clone(),
+                };
+                let is_new = self.begin.others && !self.left_out.contains(&remark);
+                self.left_out.extend(is_new.then_some(remark));
+                self.words.push(what);
+            }
+        }
+        for column in found.columns {
+            let own = match self
+                .columns
+                .iter_mut()
+                .position(|own| own.name == column.name)
+            {
+                Some(place) => &mut self.columns[place],
+                None => {
+                    let name = column.name;
+                    let values = vec![f64::NAN; before];
+                    self.columns.push(Column { name, values });
+                    self.columns.last_mut().expect("it was added")
+                }
+            };
+            own.values.extend(column.values);
+        }
+        // Of many columns of text some have no names: one that is not there may be among them.
+        let is_vague =
+            |what: &String| what.ends_with("of another kind") || what.ends_with("of other kinds");
+        if self.words.iter().any(is_vague) {
+            let are_not_there = |column: &&Column| {
+                let missing = column.values.iter().take_while(|value| value.is_nan());
+                column.values.len() < before + count || before > 0 && missing.count() >= before
+            };
+            let names = self.columns.iter().filter(are_not_there);
+            self.words.extend(names.map(|column| named(&column.name)));
+        }
+        let words = &self.words;
+        self.columns.retain_mut(|column| {
+            column.values.resize(before + count, f64::NAN);
+            !words.contains(&named(&column.name))
+        });
+    }
+
     /// Goes on behind so many bytes.
     fn pass(&mut self, length: usize) {
         self.lines += line_ends(&self.bytes[..length]);
@@ -197,15 +267,30 @@ impl Text {
 impl Begin {
     /// The points of a piece, as if it followed the begin.
     fn points_with(&self, piece: &[u8]) -> Result<Points, ReadError> {
-        let mut file = self.file_with(piece)?;
-        let mut columns = file.columns.iter_mut();
-        let heights = columns.find(|column| self.heights && column.name == Column::HEIGHT);
-        let mut heights =
-            heights.map_or_else(Vec::new, |column| std::mem::take(&mut column.values));
+        let file = self.file_with(piece)?;
+        let (mut heights, mut columns) = (Vec::new(), Vec::new());
+        for mut column in file.columns {
+            column.values.drain(..self.points);
+            match &column.name[..] {
+                Column::HEIGHT if self.heights => heights = column.values,
+                Column::HEIGHT => {}
+                _ if self.others && columns.len() < MOST_COLUMNS => columns.push(column),
+                _ => {}
+            }
+        }
+        let is_text = |remark| match remark {
+            Remark::Ignored { what, .. } if self.others => Some(what),
+            _ => None,
+        };
+        let words = file.remarks.into_iter().filter_map(is_text).collect();
         let mut places = file.graph.points;
-        heights.drain(..self.points.min(heights.len()));
         places.drain(..self.points);
-        Ok(Points { places, heights })
+        Ok(Points {
+            places,
+            heights,
+            columns,
+            words,
+        })
     }
 
     /// A piece as a file, as if it followed the begin.
@@ -232,7 +317,12 @@ impl Input for Text {
         if let Some(heights) = &mut self.heights {
             heights.clear();
         }
-        add(std::mem::take(&mut self.first), points, &mut self.heights);
+        for column in &mut self.columns {
+            column.values.clear();
+        }
+        self.come = 0;
+        let first = std::mem::take(&mut self.first);
+        self.add(first, points);
         while points.len() == before {
             let room = BLOCK.saturating_sub(self.bytes.len());
             self.file.read(room, &mut self.bytes)?;
@@ -252,6 +342,10 @@ impl Input for Text {
         self.heights.as_deref()
     }
 
+    fn columns(&self) -> &[Column] {
+        &self.columns
+    }
+
     fn next_edges(&mut self, _edges: &mut Vec<[u64; 2]>) -> Result<(), ReadError> {
         Ok(())
     }
@@ -269,14 +363,9 @@ impl Input for Text {
     }
 }
 
-/// Adds points, and their heights if heights are asked for.
-fn add(found: Points, points: &mut Vec<[f64; 2]>, heights: &mut Option<Vec<f64>>) {
-    if let Some(heights) = heights {
-        heights.extend(&found.heights);
-        let missing = found.places.len() - found.heights.len();
-        heights.extend(std::iter::repeat_n(f64::NAN, missing));
-    }
-    points.extend(found.places);
+/// A column as remarks name it.
+fn named(name: &str) -> String {
+    format!("column {}", quoted(name.as_bytes()))
 }
 
 /// Where the line ends that begins here; `None` if it goes on behind the bytes.

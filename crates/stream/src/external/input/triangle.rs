@@ -9,16 +9,16 @@
 //!          <segment> <vertex> <vertex> [marker]       numbered from 0 or from 1
 //! ```
 //!
-//! Numbers must be consecutive, as where the file is in memory. The first attribute is the height of a vertex, if heights
-//! are asked for. All that follows on a line is read over, and so are holes and regions.
+//! Numbers must be consecutive, as where the file is in memory. The first attribute is the height of a vertex. Attributes
+//! and markers are read as far as they are asked for. All that follows on a line is read over, and so are holes and regions.
 
 use std::path::Path;
 
-use sweep_cdt_formats::{ReadError, Remark, quoted};
+use sweep_cdt_formats::{Column, ReadError, Remark, quoted};
 
-use crate::external::input::Input;
 use crate::external::input::file::InputFile;
 use crate::external::input::lines::{Line, Lines, coordinate};
+use crate::external::input::{Choice, Input, MOST_COLUMNS};
 
 /// How many records are read at once.
 const RECORDS: u64 = 1 << 13;
@@ -35,8 +35,9 @@ pub(super) struct Triangle {
     edge: Option<Records>,
     /// How many attributes and markers each vertex has.
     others: [u64; 2],
-    /// The heights of the vertices that came last, if they are asked for: their first attributes.
-    heights: Option<Vec<f64>>,
+    /// The attributes and markers of the vertices that came last, as far as they are asked for: heights first.
+    columns: Vec<Column>,
+    has_heights: bool,
 }
 
 /// Records of one kind, with consecutive numbers.
@@ -86,20 +87,64 @@ impl Records {
 }
 
 impl Triangle {
-    /// Opens a `.node`, or a `.poly` and maybe the `.node` beside it.
-    pub(super) fn open(path: &Path, is_poly: bool, heights: bool) -> Result<Triangle, ReadError> {
-        let mut vertices = Lines::new(InputFile::open(path)?, 0);
-        let (mut count, mut others) = vertex_count(&mut vertices)?;
-        let mut edges = None;
-        if is_poly && count == 0 {
-            let node = InputFile::open(&path.with_extension("node"))?;
-            edges = Some(std::mem::replace(&mut vertices, Lines::new(node, 0)));
-            (count, others) = vertex_count(&mut vertices)?;
+    /// Begins a `.node`.
+    pub(super) fn of_node(file: InputFile, choice: &Choice) -> Result<Triangle, ReadError> {
+        let mut vertices = Lines::new(file, 0);
+        let counts = vertex_count(&mut vertices)?;
+        Ok(Triangle::new(vertices, None, false, counts, choice))
+    }
+
+    /// Begins a `.poly`; `node` is the place of the `.node` beside it, if there is such a place.
+    pub(super) fn of_poly(
+        file: InputFile,
+        node: Option<&Path>,
+        choice: &Choice,
+    ) -> Result<Triangle, ReadError> {
+        let mut vertices = Lines::new(file, 0);
+        let counts = vertex_count(&mut vertices)?;
+        if counts.0 > 0 {
+            return Ok(Triangle::new(vertices, None, true, counts, choice));
         }
-        Ok(Triangle {
+        let Some(node) = node else {
+            let message = "there are no vertices: they are in a .node beside the file, and this one has no place";
+            return Err(vertices.file.error(message));
+        };
+        let edges = vertices;
+        let mut vertices = Lines::new(InputFile::open(node)?, 0);
+        let counts = vertex_count(&mut vertices)?;
+        Ok(Triangle::new(vertices, Some(edges), true, counts, choice))
+    }
+
+    fn new(
+        vertices: Lines,
+        edges: Option<Lines>,
+        has_edges: bool,
+        (count, others): (u64, [u64; 2]),
+        choice: &Choice,
+    ) -> Triangle {
+        let most = if choice.others { MOST_COLUMNS } else { 1 };
+        let [attributes, markers] = others.map(|count| usize::try_from(count).unwrap_or(most));
+        let is_height = |at: usize| at == 0 && attributes > 0;
+        let names = (0..attributes.saturating_add(markers.min(1)).min(most)).map(|at| match at {
+            _ if at == attributes => Column::MARKER.to_owned(),
+            0 => Column::HEIGHT.to_owned(),
+            _ => format!("attribute{}", at + 1),
+        });
+        let names = names.enumerate();
+        let asked = names.map_while(|(at, name)| {
+            let is_asked = if is_height(at) {
+                choice.heights
+            } else {
+                choice.others
+            };
+            let values = Vec::new();
+            is_asked.then_some(Column { name, values })
+        });
+        let columns: Vec<Column> = asked.collect();
+        Triangle {
             vertices,
             edges,
-            has_edges: is_poly,
+            has_edges,
             vertex: Records {
                 name: "vertex",
                 number: "a vertex's number",
@@ -109,8 +154,9 @@ impl Triangle {
             },
             edge: None,
             others,
-            heights: (heights && others[0] > 0).then(Vec::new),
-        })
+            has_heights: columns.iter().any(|column| column.name == Column::HEIGHT),
+            columns,
+        }
     }
 
     /// The file that is read now.
@@ -163,22 +209,30 @@ impl Input for Triangle {
         let Triangle {
             vertices,
             vertex,
-            heights,
+            columns,
             ..
         } = self;
-        let mut heights = heights.as_mut();
-        if let Some(heights) = &mut heights {
-            heights.clear();
+        for column in &mut *columns {
+            column.values.clear();
         }
         if vertex.read < vertex.count {
             return vertex.next(vertices, points, |line| {
-                let mut value = |what| {
+                let value = |line: &mut Line<'_>, what| {
                     let token = line.expect(what)?;
                     coordinate(token, |why| line.error(why))
                 };
-                let point = [value("an x coordinate")?, value("a y coordinate")?];
-                if let Some(heights) = &mut heights {
-                    heights.push(value("an attribute")?);
+                let point = [
+                    value(line, "an x coordinate")?,
+                    value(line, "a y coordinate")?,
+                ];
+                for column in &mut *columns {
+                    // Triangle lets lines end before the marker.
+                    let is_there = column.name != Column::MARKER || !line.is_over();
+                    let number = match is_there {
+                        true => value(line, "an attribute")?,
+                        false => f64::NAN,
+                    };
+                    column.values.push(number);
                 }
                 Ok(point)
             });
@@ -193,7 +247,12 @@ impl Input for Triangle {
     }
 
     fn heights(&self) -> Option<&[f64]> {
-        self.heights.as_deref()
+        let heights = self.columns.first().filter(|_| self.has_heights);
+        heights.map(|column| &column.values[..])
+    }
+
+    fn columns(&self) -> &[Column] {
+        &self.columns[usize::from(self.has_heights)..]
     }
 
     fn next_edges(&mut self, edges: &mut Vec<[u64; 2]>) -> Result<(), ReadError> {
@@ -231,7 +290,13 @@ impl Input for Triangle {
 
     fn remarks(&self) -> Vec<Remark> {
         let [attributes, markers] = self.others.map(|count| usize::try_from(count).unwrap_or(0));
-        let attributes = attributes - usize::from(self.heights.is_some());
+        let marked = self
+            .columns
+            .iter()
+            .filter(|column| column.name == Column::MARKER);
+        let marked = marked.count();
+        let attributes = attributes.saturating_sub(self.columns.len() - marked);
+        let markers = markers.saturating_sub(marked);
         [
             (
                 attributes,
