@@ -47,7 +47,7 @@ pub(crate) struct Power {
 }
 
 impl Power {
-    /// That of least squares of logarithms.
+    /// The one of least squares of logarithms.
     fn of(points: &[[f64; 2]]) -> Power {
         let n = points.len() as f64;
         let logs: Vec<[f64; 2]> = points.iter().map(|p| p.map(f64::ln)).collect();
