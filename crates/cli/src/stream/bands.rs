@@ -5,6 +5,7 @@
 
 use std::fs;
 use std::io::Write;
+use std::path::Path;
 
 use sweep_cdt_stream::external::Bands;
 
@@ -34,6 +35,7 @@ impl StreamCommand {
         let most = bands.most();
         // As many digits as the last one has, so that their names are sorted as they are.
         let digits = most.to_string().len();
+        refuse_others(folder, digits, most)?;
         let mut progress = Progress::new("writing bands");
         for number in 1.. {
             let band = bands.next_band();
@@ -50,4 +52,23 @@ impl StreamCommand {
         }
         Ok(())
     }
+}
+
+/// Refuses a folder with bands that this cut does not write again: nobody could tell them from its own.
+fn refuse_others(folder: &Path, digits: usize, most: u64) -> Result<(), Failure> {
+    let failure = |error| Failure::of_file(folder, &error);
+    for entry in fs::read_dir(folder).map_err(failure)? {
+        let name = entry.map_err(failure)?.file_name();
+        let Some(number) = name.to_str().and_then(|name| name.strip_suffix(".rest")) else {
+            continue;
+        };
+        let is_written = |number| (1..=most).contains(&number);
+        if number.len() != digits || !number.parse().is_ok_and(is_written) {
+            return Err(Failure::Error(format!(
+                "{} is there, and no band of this cut: remove it, or let OUTPUT be another folder",
+                folder.join(&name).display()
+            )));
+        }
+    }
+    Ok(())
 }

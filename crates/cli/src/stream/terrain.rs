@@ -19,7 +19,7 @@ use super::SortArgs;
 use super::order::Sorted;
 use crate::contours::number;
 use crate::shared::failure::Failure;
-use crate::shared::files::{FileArgument, format_of_output};
+use crate::shared::files::{FileArgument, by_extension};
 use crate::shared::outputs::{Destination, Out};
 
 /// Outputs for which the points need heights.
@@ -53,6 +53,9 @@ fn cell(text: &str) -> Result<f64, String> {
     let size = size.filter(|size: &f64| size.is_normal() && *size > 0.0);
     size.ok_or_else(|| "not a number greater than 0".to_owned())
 }
+
+/// The cells that a grid may have: on disk they take 8 bytes each.
+const CELLS: u128 = 10_000_000_000;
 
 /// How a grid is written.
 #[derive(Clone, Copy)]
@@ -93,7 +96,12 @@ impl TerrainOutputs {
         let mut targets = TerrainTargets::default();
         if let Some(path) = &self.contours {
             let file = FileArgument::File(path.clone());
-            let format = format_of_output(&file, None, Format::LINES)?;
+            let format = by_extension(&file, Format::LINES).ok_or_else(|| {
+                let name = path.display();
+                let message =
+                    format!("{name} is no name for contour lines: let it end in .geojson or .wkt");
+                Failure::Usage(message)
+            })?;
             targets.lines = Some((Destination::of(&file)?, format));
         }
         if let Some(path) = &self.raster {
@@ -167,6 +175,14 @@ impl TerrainOutputs {
             let grid = Grid::covering(cell, intervals).ok_or_else(|| {
                 failure(&"the cells of the grid are too small: choose a larger --cell")
             })?;
+            let cells = [grid.columns(), grid.rows()].map(|count| count as u128);
+            if let cells = cells[0] * cells[1]
+                && cells > CELLS
+            {
+                return Err(failure(&format!(
+                    "the grid would have {cells} cells, and at most {CELLS} are made: choose a larger --cell"
+                )));
+            }
             let folder = sort.folder();
             let file = tempfile::tempfile_in(&folder);
             let file = file.map_err(|error| Failure::of_file(&folder, &error))?;

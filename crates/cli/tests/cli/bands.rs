@@ -132,6 +132,13 @@ fn rests_that_do_not_fit_are_refused() {
     assert_eq!(joined("bands/1.rest bands/2.rest"), damaged);
     assert!(joined("bands/4.rest").starts_with("error: bands/4.rest: "));
     // Bands of another cut.
+    let error = refused(&folder, "stream p.f64 --band 150 -o bands", 1);
+    assert!(
+        error.contains(
+            "is there, and no band of this cut: remove it, or let OUTPUT be another folder"
+        ),
+        "{error}"
+    );
     let made = ran(&folder, "stream p.f64 --band 150 -o others");
     assert_eq!(printed(&made), "");
     let error = joined("bands/1.rest others/2.rest");

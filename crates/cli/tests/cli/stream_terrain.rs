@@ -240,6 +240,11 @@ fn terrain_that_cannot_be_is_refused() {
         &small,
         "a.csv: the cells of the grid are too small: choose a larger --cell",
     );
+    let large = ran(&folder, "stream a.csv --raster a.asc --cell 0.000001");
+    assert_fails(
+        &large,
+        "a.csv: the grid would have 1000000000000 cells, and at most 10000000000 are made: choose a larger --cell",
+    );
     let many = ran(&folder, "stream a.csv --contours a.wkt --every 1e-9");
     assert!(text(&many.stderr).contains("more than 1000000 levels"));
     for (arguments, what) in [
@@ -251,7 +256,7 @@ fn terrain_that_cannot_be_is_refused() {
         ),
         (
             "--contours a.obj --every 1",
-            "the format of a.obj is not known",
+            "a.obj is no name for contour lines: let it end in .geojson or .wkt",
         ),
         ("--raster a.asc", "--cell"),
         ("--raster a.png --cell 1", "let it end in .asc"),
