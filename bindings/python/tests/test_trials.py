@@ -79,7 +79,7 @@ def test_a_raster_with_no_data(command, tmp_path, monkeypatch):
     np.savetxt("dem.xyz", np.column_stack([x, y, heights.ravel()]), fmt="%.1f")
     (tmp_path / "at.csv").write_text("x,y\n510,890\n540,875\n533,873\n")
     out, said = told(command, tmp_path, "heights", "dem.xyz", "--no-value", "-9999", "--at", "at.csv")
-    assert out == "x,y,z\n510,890,1\n540,875,NaN\n533,873,NaN\n" and "1 number is -9999 and counted as missing" in said
+    assert out == "x,y,z\n510,890,1\n540,875,\n533,873,\n" and "1 number is -9999 and counted as missing" in said
 
 
 def test_a_table_of_a_surveyor(command, tmp_path, monkeypatch):
