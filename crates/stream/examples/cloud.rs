@@ -2,10 +2,12 @@
 //! 50000000 tile.laz` makes fifty million points, packed if the name ends in `.laz`.
 //!
 //! The scanner flies to and fro and looks to both sides, so that the points lie on a zigzag, some centimetres from an even
-//! one. Coordinates are millimetres, as in most tiles, and heights are those of hills.
+//! one. Coordinates are millimetres, as in most tiles. Most points are of the ground (class 2), whose heights are those of
+//! hills; every eighth is of a tree above (class 5).
 
 use std::path::Path;
 
+use las::point::Classification;
 use las::{Builder, Point, Transform, Writer};
 
 /// So many points the scanner takes from one side to the other.
@@ -59,11 +61,16 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             place(strip * ACROSS + across, random()),
             place(along, random()),
         ];
-        let z = 40.0 * (x / 170.0).sin() * (y / 230.0).cos() + 0.05 * random();
+        let ground = 40.0 * (x / 170.0).sin() * (y / 230.0).cos() + 0.05 * random();
+        let (classification, z) = match number % 8 {
+            7 => (Classification::HighVegetation, ground + 9.0),
+            _ => (Classification::Ground, ground),
+        };
         writer.write_point(Point {
             x,
             y,
             z,
+            classification,
             gps_time: None,
             ..Point::default()
         })?;
