@@ -3,7 +3,7 @@
 //!
 //! The scanner flies to and fro and looks to both sides, so that the points lie on a zigzag, some centimetres from an even
 //! one. Coordinates are millimetres, as in most tiles. Most points are of the ground (class 2), whose heights are those of
-//! hills; every eighth is of a tree above (class 5).
+//! hills; an eighth, in runs, are of trees above (class 5).
 
 use std::path::Path;
 
@@ -14,6 +14,8 @@ use las::{Builder, Point, Transform, Writer};
 const ACROSS: u64 = 1000;
 /// The distance of points, in metres.
 const STEP: f64 = 0.25;
+/// So many points one after the other are of a tree.
+const TREE: u64 = 64;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -62,7 +64,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             place(along, random()),
         ];
         let ground = 40.0 * (x / 170.0).sin() * (y / 230.0).cos() + 0.05 * random();
-        let (classification, z) = match number % 8 {
+        let (classification, z) = match number / TREE % 8 {
             7 => (Classification::HighVegetation, ground + 9.0),
             _ => (Classification::Ground, ground),
         };
