@@ -85,6 +85,8 @@ pub enum Remark {
         kept: usize,
         /// How many points there are.
         points: usize,
+        /// The classes of all points in ascending order, each with how many it has.
+        counts: Vec<(u8, usize)>,
     },
     /// A header contradicts the rest of its file, or says that all points are one.
     Promise {
@@ -347,9 +349,14 @@ impl Remark {
                 };
                 format!("{of} {value}, which often means that there is none")
             }
-            Remark::Classes { kept, points } => {
-                format!("{kept} of {points} points are of the classes that were chosen")
-            }
+            Remark::Classes {
+                kept,
+                points,
+                counts,
+            } => format!(
+                "{kept} of {points} points are of the classes that were chosen: {}",
+                of_classes(counts)
+            ),
             Remark::Promise { what } => format!("the header says {what}"),
             Remark::HalfOfTheGlobe { edges } => format!(
                 "{} more than 180 degrees of longitude: what crosses the line of 180 degrees must be cut there, or have \
@@ -504,6 +511,24 @@ impl Voids {
     pub fn remarks(&self) -> impl Iterator<Item = Remark> {
         let voids = self.0.iter();
         voids.map(|&(value, count)| Remark::Void { value, count })
+    }
+}
+
+/// How many points each class has, of the first twelve.
+pub(crate) fn of_classes(counts: &[(u8, usize)]) -> String {
+    const MOST: usize = 12;
+    let mut said = String::new();
+    for (at, (class, count)) in counts.iter().take(MOST).enumerate() {
+        said += &match (at, count) {
+            (0, 1) => format!("1 is of class {class}"),
+            (0, _) => format!("{count} are of class {class}"),
+            _ => format!(", {count} of class {class}"),
+        };
+    }
+    let others = counts.iter().skip(MOST).map(|(_, count)| count);
+    match others.sum::<usize>() {
+        0 => said,
+        count => format!("{said}, {count} of others"),
     }
 }
 

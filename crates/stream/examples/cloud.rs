@@ -2,16 +2,20 @@
 //! 50000000 tile.laz` makes fifty million points, packed if the name ends in `.laz`.
 //!
 //! The scanner flies to and fro and looks to both sides, so that the points lie on a zigzag, some centimetres from an even
-//! one. Coordinates are millimetres, as in most tiles, and heights are those of hills.
+//! one. Coordinates are millimetres, as in most tiles. Most points are of the ground (class 2), whose heights are those of
+//! hills; an eighth, in runs, are of trees above (class 5).
 
 use std::path::Path;
 
+use las::point::Classification;
 use las::{Builder, Point, Transform, Writer};
 
 /// So many points the scanner takes from one side to the other.
 const ACROSS: u64 = 1000;
 /// The distance of points, in metres.
 const STEP: f64 = 0.25;
+/// So many points one after the other are of a tree.
+const TREE: u64 = 64;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -59,11 +63,16 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             place(strip * ACROSS + across, random()),
             place(along, random()),
         ];
-        let z = 40.0 * (x / 170.0).sin() * (y / 230.0).cos() + 0.05 * random();
+        let ground = 40.0 * (x / 170.0).sin() * (y / 230.0).cos() + 0.05 * random();
+        let (classification, z) = match number / TREE % 8 {
+            7 => (Classification::HighVegetation, ground + 9.0),
+            _ => (Classification::Ground, ground),
+        };
         writer.write_point(Point {
             x,
             y,
             z,
+            classification,
             gps_time: None,
             ..Point::default()
         })?;

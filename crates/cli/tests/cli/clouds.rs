@@ -136,7 +136,7 @@ fn notes_on_clouds_are_those_of_streams() {
     let output = ran(&folder, "triangulate a.las --class 2,9");
     assert_eq!(
         text(&output.stderr),
-        "note: a.las: 4 of 6 points are of the classes that were chosen\n\
+        "note: a.las: 4 of 6 points are of the classes that were chosen: 4 are of class 2, 2 of class 6\n\
          note: a.las: ignored: 6 classes, and all else that points have beside places and heights\n"
     );
     let mut bytes = cloud(POINTS.into_iter(), &[]);
@@ -149,6 +149,73 @@ fn notes_on_clouds_are_those_of_streams() {
         ),
         "{}",
         text(&output.stderr)
+    );
+}
+
+/// A stream and a triangulation were empty, and contours and heights blamed something else.
+#[test]
+fn classes_that_no_point_has_are_refused() {
+    let folder = clouds();
+    for (command, classes, what) in [
+        ("stream a.las -o r.u32", "5", "5"),
+        ("triangulate a.las -o r.json", "5", "5"),
+        ("contours a.las --every 1 -o r.wkt", "5,0", "5 or 0"),
+        ("heights a.las --at at.csv -o r.csv", "5", "5"),
+        ("triangulate line.wkt a.las -o r.json", "5", "5"),
+    ] {
+        let output = ran(&folder, &format!("{command} --class {classes}"));
+        let what =
+            format!("error: a.las: no point is of class {what}: 4 are of class 2, 2 of class 6\n");
+        let said = text(&output.stderr);
+        assert!(said.ends_with(&what), "{command}: {said}");
+        assert_eq!(output.status.code(), Some(1));
+        let names = names(folder.path());
+        assert!(
+            !names.iter().any(|name| name.starts_with("r.")),
+            "{names:?}"
+        );
+    }
+    let points = (0..15).map(|class| [class, class % 2, 0, class]);
+    fs::write(folder.path().join("all.las"), cloud(points, &[])).expect("a file");
+    let output = ran(&folder, "triangulate all.las --class 31");
+    let said = text(&output.stderr);
+    assert!(
+        said.contains("31: 1 is of class 0, 1 of class 1, "),
+        "{said}"
+    );
+    assert!(said.contains(", 1 of class 11, 3 of others\n"), "{said}");
+}
+
+/// Points with the highest bit beside their class are withheld.
+#[test]
+fn points_that_are_withheld_are_left_out() {
+    let folder = clouds();
+    let withheld = POINTS.map(|[x, y, z, class]| [x, y, z, class | u32::from(class == 6) << 7]);
+    fs::write(
+        folder.path().join("a.las"),
+        cloud(withheld.into_iter(), &[]),
+    )
+    .expect("a file");
+    for command in ["triangulate INPUT -o - --output-format json", "trace INPUT"] {
+        let from_text = ran(&folder, &command.replace("INPUT", "ground.csv"));
+        let from_cloud = ran(&folder, &command.replace("INPUT", "a.las"));
+        let expected = text(&from_text.stdout).replace("ground.csv", "a.las");
+        assert_eq!(text(&from_cloud.stdout), expected);
+    }
+    for command in ["triangulate a.las", "stream a.las -o r.u32"] {
+        let output = ran(&folder, &format!("{command} --class 2"));
+        let said = text(&output.stderr);
+        for what in [
+            "4 of 4 points are of the classes that were chosen: 4 are of class 2\n",
+            "note: a.las: ignored: 2 points that are withheld",
+        ] {
+            assert_eq!(said.matches(what).count(), 1, "{said}");
+        }
+    }
+    let output = ran(&folder, "triangulate a.las --class 6");
+    assert_fails(
+        &output,
+        "a.las: no point is of class 6: 4 are of class 2, 2 withheld",
     );
 }
 

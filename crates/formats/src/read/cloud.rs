@@ -7,18 +7,21 @@
 //! The crates allocate what header, table and sizes say, so these are compared with the length of the file before. Chunks
 //! are unpacked whole, on all cores. Without threads, and where a chunk would take much memory, points are unpacked one
 //! after the other instead. Decoders that panic over damaged bytes are caught.
+//!
+//! Points with the flag `withheld` count as deleted by the standard, and are left out.
 
 use std::fmt;
 use std::io::{self, Cursor, Read, Seek, SeekFrom};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use las::{Header, LazParallelism, PointData, PointDataBuilder, Reader, ReaderOptions};
-use laz::LazVlr;
 use laz::laszip::{ChunkTable, LazItemType};
+use laz::{LasZipError, LazVlr};
 use sweep_cdt::Pslg;
 use sweep_cdt::threads::has_threads;
 
 use crate::read::source::{ReadError, ReadErrorKind, Source, reason};
+use crate::remark::of_classes;
 use crate::{Column, CoordinateSystem, GraphFile, Remark};
 
 /// How many points are read at once: a few chunks of a `.laz`, which are unpacked on all cores. They are fewer where they
@@ -50,9 +53,11 @@ pub struct Cloud {
     name: String,
     reader: Reader,
     points: PointData,
-    /// The classes of the points that come, if they were chosen, and how many points have come.
+    /// The classes of the points that come, if they were chosen.
     classes: Vec<u8>,
-    kept: u64,
+    /// How many points were read of each class, and how many that are withheld.
+    counts: [usize; 256],
+    withheld: usize,
     length: u64,
     /// Where the points begin, as the header says.
     points_begin: u64,
@@ -70,7 +75,7 @@ impl fmt::Debug for Cloud {
 
 impl Cloud {
     /// Begins to read a file of this name and so many bytes. Points of these classes alone come; those of all, if there are
-    /// none.
+    /// none. Points that are withheld never come.
     ///
     /// # Errors
     /// The beginning is that of no cloud, or promises more than the file has room for.
@@ -82,7 +87,7 @@ impl Cloud {
     ) -> Result<Cloud, ReadError> {
         let name = name.into();
         let opened = caught(|| reader(read, length));
-        let (reader, points_begin) = opened.map_err(|why| ReadError::of_file(&name, why))?;
+        let (reader, points_begin) = opened.map_err(|Fault(why)| ReadError::of_file(&name, why))?;
         let header = reader.header();
         let (points, count) = (
             PointDataBuilder::new().for_header(header).build(),
@@ -93,7 +98,8 @@ impl Cloud {
             reader,
             points,
             classes: classes.to_vec(),
-            kept: 0,
+            counts: [0; 256],
+            withheld: 0,
             length,
             points_begin,
             read: 0,
@@ -104,7 +110,8 @@ impl Cloud {
     /// Appends x, y and z of the next points, and returns how many these are. If there are none, no more will come.
     ///
     /// # Errors
-    /// The file ends, or is damaged: the message says after which point. No more can be read then.
+    /// The file ends, or is damaged: the message says after which point. No more can be read then. Or no point of the file
+    /// is of a chosen class: the message says of which they are.
     pub fn next_points(&mut self, places: &mut Vec<[f64; 3]>) -> Result<usize, ReadError> {
         let before = places.len();
         // Of some points none may be of a chosen class.
@@ -112,8 +119,33 @@ impl Cloud {
             self.read_some(places)?;
         }
         let come = places.len() - before;
-        self.kept += come as u64;
+        if come == 0 && self.count > 0 && !self.classes.is_empty() && self.kept() == 0 {
+            return Err(ReadError::of_file(&self.name, self.none_is_chosen()));
+        }
         Ok(come)
+    }
+
+    /// How many points have come, if classes were chosen.
+    fn kept(&self) -> usize {
+        let classes = self.counts().into_iter();
+        let chosen = classes.filter(|(class, _)| self.classes.contains(class));
+        chosen.map(|(_, count)| count).sum()
+    }
+
+    /// The classes of the points that were read, and how many each has.
+    fn counts(&self) -> Vec<(u8, usize)> {
+        let counts = (0..=u8::MAX).zip(self.counts);
+        counts.filter(|&(_, count)| count > 0).collect()
+    }
+
+    /// The message that no point is of a chosen class.
+    fn none_is_chosen(&self) -> String {
+        let chosen: Vec<String> = self.classes.iter().map(u8::to_string).collect();
+        let withheld = (self.withheld > 0).then(|| format!("{} withheld", self.withheld));
+        let others = [Some(of_classes(&self.counts())), withheld].into_iter();
+        let others: Vec<String> = others.flatten().filter(|what| !what.is_empty()).collect();
+        let (chosen, others) = (chosen.join(" or "), others.join(", "));
+        format!("no point is of class {chosen}: {others}")
     }
 
     /// Appends those of the next points that were chosen.
@@ -122,26 +154,37 @@ impl Cloud {
         let most = POINTS.min(BYTES / u64::from(each.max(1)));
         let most = most.min(self.count - self.read);
         let Cloud { reader, points, .. } = self;
-        let read = caught(|| {
-            let read = reader.fill_points(most, points);
-            read.map_err(|error| error.to_string())
-        });
+        let read = caught(|| Ok(reader.fill_points(most, points)?));
         let fault = |why: &str| {
             let (read, count) = (self.read, self.count);
             ReadError::of_file(&self.name, format!("after point {read} of {count}: {why}"))
         };
         match read {
             Ok(read) if read == most => {}
-            Ok(_) => return Err(fault("the file ends")),
-            Err(why) => return Err(fault(&why)),
+            Ok(_) => return Err(fault(CUT_OFF)),
+            Err(Fault(why)) => return Err(fault(&why)),
         }
         self.read += most;
-        let is_chosen = |class: u8| self.classes.is_empty() || self.classes.contains(&class);
         let points = &self.points;
+        // The flags of the first formats stand above the class.
+        let withheld = match points.format().is_extended {
+            true => 1 << 2,
+            false => 1 << 7,
+        };
+        let records = points.raw_bytes().chunks_exact(points.record_len());
+        let is_withheld = records.map(|record| record[15] & withheld != 0);
         let axes = points.x().zip(points.y()).zip(points.z());
-        let chosen = axes.zip(points.classification());
-        let chosen = chosen.filter(|&(_, class)| is_chosen(class));
-        places.extend(chosen.map(|(((x, y), z), _)| [x, y, z]));
+        let all = axes.zip(points.classification()).zip(is_withheld);
+        for ((((x, y), z), class), is_withheld) in all {
+            if is_withheld {
+                self.withheld += 1;
+                continue;
+            }
+            self.counts[usize::from(class)] += 1;
+            if self.classes.is_empty() || self.classes.contains(&class) {
+                places.push([x, y, z]);
+            }
+        }
         Ok(())
     }
 
@@ -174,7 +217,7 @@ impl Cloud {
     }
 
     /// The remarks on the file: what is left out of it, heights or not, and a header that says of no points, or that they
-    /// are all in one place: it was never completed. How many points are of the chosen classes is known at the end.
+    /// are all in one place: it was never completed. How many points are withheld, and of which classes, is known at the end.
     pub fn remarks(&self, has_heights: bool) -> Vec<Remark> {
         let header = self.reader.header();
         let mut remarks = Vec::new();
@@ -192,11 +235,20 @@ impl Cloud {
             }
         }
         let count = |points| usize::try_from(points).unwrap_or(usize::MAX);
-        if !self.classes.is_empty() && self.read == self.count {
+        let is_read = self.count > 0 && self.read == self.count;
+        if is_read && !self.classes.is_empty() {
             remarks.push(Remark::Classes {
-                kept: count(self.kept),
-                points: count(self.count),
+                kept: self.kept(),
+                points: self.counts.iter().sum(),
+                counts: self.counts(),
             });
+        }
+        if is_read && self.withheld > 0 {
+            remarks.push(Remark::ignored(
+                self.withheld,
+                "point that is withheld",
+                "points that are withheld",
+            ));
         }
         if self.count > 0 {
             let what = match has_heights {
@@ -254,35 +306,78 @@ pub(super) fn read(source: &Source) -> Result<GraphFile<f64>, ReadError> {
     })
 }
 
+/// The message on a file that ends before all is read that it promises.
+const CUT_OFF: &str = "the file ends too soon: it is cut off";
+
+/// Why a file cannot be read: what the crates or the system say.
+struct Fault(String);
+
+impl From<String> for Fault {
+    fn from(why: String) -> Fault {
+        Fault(why)
+    }
+}
+
+impl From<io::Error> for Fault {
+    fn from(error: io::Error) -> Fault {
+        match error.kind() {
+            io::ErrorKind::UnexpectedEof => Fault(CUT_OFF.to_owned()),
+            _ => Fault(reason(&error)),
+        }
+    }
+}
+
+impl From<LasZipError> for Fault {
+    fn from(error: LasZipError) -> Fault {
+        match error {
+            LasZipError::IoError(error) => error.into(),
+            _ => Fault(error.to_string()),
+        }
+    }
+}
+
+impl From<las::Error> for Fault {
+    fn from(error: las::Error) -> Fault {
+        match error {
+            las::Error::Io(error) => error.into(),
+            las::Error::LasZipError(error) => error.into(),
+            _ => Fault(error.to_string()),
+        }
+    }
+}
+
 /// What the crates make of a file. Some of their decoders end in a panic where bytes are damaged: here that is an error,
 /// after which nobody goes on with them.
-fn caught<T>(work: impl FnOnce() -> Result<T, String>) -> Result<T, String> {
+fn caught<T>(work: impl FnOnce() -> Result<T, Fault>) -> Result<T, Fault> {
     let done = catch_unwind(AssertUnwindSafe(work));
-    done.unwrap_or_else(|_| Err("what is packed is damaged".to_owned()))
+    done.unwrap_or_else(|_| Err(Fault("what is packed is damaged".to_owned())))
 }
 
 /// Checks a file, and reads it from the begin. Returns also where its points begin.
 fn reader(
     mut read: impl Read + Seek + Send + Sync + 'static,
     length: u64,
-) -> Result<(Reader, u64), String> {
+) -> Result<(Reader, u64), Fault> {
+    if length == 0 {
+        return Err(Fault("the file is empty".to_owned()));
+    }
     let begin = check_lengths(&mut read, length)?;
-    read.rewind().map_err(|error| reason(&error))?;
+    read.rewind()?;
     let chunk = largest_chunk(&mut read, length)?;
     let parallelism = match chunk <= BYTES && has_threads() {
         true => LazParallelism::Yes,
         false => LazParallelism::No,
     };
     let options = ReaderOptions::default().with_laz_parallelism(parallelism);
-    read.rewind().map_err(|error| reason(&error))?;
-    let reader = Reader::with_options(read, options).map_err(|error| error.to_string())?;
+    read.rewind()?;
+    let reader = Reader::with_options(read, options)?;
     Ok((reader, begin))
 }
 
 /// Refuses a header that says of points, and of the record behind them, more than the file has room for.
 /// Returns where the points begin.
-fn check_lengths(read: &mut (impl Read + Seek), length: u64) -> Result<u64, String> {
-    let header = las::raw::Header::read_from(&mut *read).map_err(|error| error.to_string())?;
+fn check_lengths(read: &mut (impl Read + Seek), length: u64) -> Result<u64, Fault> {
+    let header = las::raw::Header::read_from(&mut *read)?;
     let large = header.large_file.map(|large| large.number_of_point_records);
     let count = match header.number_of_point_records {
         0 => large.unwrap_or(0),
@@ -292,9 +387,9 @@ fn check_lengths(read: &mut (impl Read + Seek), length: u64) -> Result<u64, Stri
     let end = bytes.and_then(|bytes| bytes.checked_add(header.offset_to_point_data.into()));
     let is_packed = header.point_data_record_format & 0x80 != 0;
     if end.is_none_or(|end| end > length && !is_packed) {
-        return Err(format!(
-            "it has {length} bytes, and {count} points take more: it is cut off"
-        ));
+        return Err(
+            format!("it has {length} bytes, and {count} points take more: it is cut off").into(),
+        );
     }
     let points_begin = header.offset_to_point_data.into();
     let Some(record) = header.evlr else {
@@ -307,44 +402,44 @@ fn check_lengths(read: &mut (impl Read + Seek), length: u64) -> Result<u64, Stri
         read.seek(SeekFrom::Start(place))?;
         next_number(read)
     });
-    let size = size.transpose().map_err(|error| reason(&error))?;
+    let size = size.transpose()?;
     match size.and_then(|size| after(size.checked_add(60)?)) {
         Some(_) => Ok(points_begin),
         None => Err(format!(
-            "the record behind its points is longer than its {length} bytes"
-        )),
+            "the record behind its points is longer than its {length} bytes: it is cut off"
+        )
+        .into()),
     }
 }
 
 /// The bytes of the points of the largest chunk; 0 where nothing is packed. Refuses a table of chunks with more than the
 /// file has room for.
-fn largest_chunk(read: &mut (impl Read + Seek + Send), length: u64) -> Result<u64, String> {
-    let header = Header::new(&mut *read).map_err(|error| error.to_string())?;
+fn largest_chunk(read: &mut (impl Read + Seek + Send), length: u64) -> Result<u64, Fault> {
+    let header = Header::new(&mut *read)?;
     if !header.point_format().is_compressed {
         return Ok(0);
     }
-    let vlr = header.laz_vlr().map_err(|error| error.to_string())?;
+    let vlr = header.laz_vlr()?;
     let [packed, each] = [vlr.items_size(), header.point_format().len().into()];
     if packed != each {
         return Err(format!(
             "a point has {each} bytes by its header, and {packed} where it is packed"
-        ));
+        )
+        .into());
     }
-    let (begin, table, count) = table_of_chunks(read).map_err(|error| error.to_string())?;
+    let (begin, table, count) = table_of_chunks(read)?;
     let room = table.saturating_sub(begin);
     if table > length || u64::from(count) > room {
         return Err(format!(
             "its table of chunks has {count} entries, and there is no room for so many in its {length} bytes"
-        ));
+        ).into());
     }
-    let chunks = read
-        .seek(SeekFrom::Start(begin))
-        .map_err(|error| error.to_string())
-        .and_then(|_| ChunkTable::read_from(&mut *read, &vlr).map_err(|error| error.to_string()))?;
+    read.seek(SeekFrom::Start(begin))?;
+    let chunks = ChunkTable::read_from(&mut *read, &vlr)?;
     let chunks: &[_] = chunks.as_ref();
     let packed = chunks.iter().map(|chunk| u128::from(chunk.byte_count));
     if packed.sum::<u128>() > u128::from(room) {
-        return Err(format!("its chunks are longer than its {length} bytes"));
+        return Err(format!("its chunks are longer than its {length} bytes").into());
     }
     let mut place = begin + ChunkTable::OFFSET_SIZE as u64;
     for (number, chunk) in chunks
@@ -352,11 +447,9 @@ fn largest_chunk(read: &mut (impl Read + Seek + Send), length: u64) -> Result<u6
         .enumerate()
         .filter(|(_, chunk)| chunk.byte_count > 0)
     {
-        let layers = layers(read, place, &vlr).map_err(|error| error.to_string())?;
+        let layers = layers(read, place, &vlr)?;
         if layers > chunk.byte_count {
-            return Err(format!(
-                "the layers of chunk {number} are longer than the chunk"
-            ));
+            return Err(format!("the layers of chunk {number} are longer than the chunk").into());
         }
         place += chunk.byte_count;
     }
@@ -364,9 +457,9 @@ fn largest_chunk(read: &mut (impl Read + Seek + Send), length: u64) -> Result<u6
     let count = header.number_of_points();
     let most = points.clone().fold(0_u64, u64::saturating_add);
     if count > most {
-        return Err(format!(
-            "its header says {count} points, and its chunks have at most {most}"
-        ));
+        return Err(
+            format!("its header says {count} points, and its chunks have at most {most}").into(),
+        );
     }
     Ok(points.max().unwrap_or(0).saturating_mul(each))
 }

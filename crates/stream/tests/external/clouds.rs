@@ -72,6 +72,11 @@ fn write_version(path: &Path, is_packed: bool, version: (u8, u8)) -> Vec<[f64; 2
 
 /// Small clouds: of each version, packed or not, with records of their own before and behind the points.
 pub(crate) fn small() -> [(&'static str, Vec<u8>); 4] {
+    small_with(0)
+}
+
+/// As [`small`], of whose 9 points the first so many are withheld.
+fn small_with(withheld: u8) -> [(&'static str, Vec<u8>); 4] {
     [
         ("las", (1, 2), false),
         ("laz", (1, 2), true),
@@ -97,6 +102,10 @@ pub(crate) fn small() -> [(&'static str, Vec<u8>); 4] {
             let point = Point {
                 x: f64::from(at % 3),
                 y: f64::from(at / 3),
+                is_withheld: at < withheld,
+                // Flags of neighbours.
+                is_synthetic: at % 2 == 0,
+                is_key_point: at % 2 == 1,
                 gps_time: (version == (1, 4)).then_some(0.0),
                 ..Point::default()
             };
@@ -127,7 +136,7 @@ fn classes_are_chosen() {
     for (name, format) in [("a.las", Format::Las), ("a.laz", Format::Laz)] {
         let path = folder.path().join(name);
         let points = write(&path, format == Format::Laz);
-        for classes in [&[2][..], &[6, 2], &[6], &[7]] {
+        for classes in [&[2][..], &[6, 2], &[6], &[7, 9]] {
             let choice = Choice {
                 classes: classes.to_vec(),
                 heights: true,
@@ -146,8 +155,17 @@ fn classes_are_chosen() {
                 assert_eq!(vertex.height, Some(height(point[0], point[1])));
             }
             assert_eq!(order.next_vertex().expect("no fault"), None);
-            let (kept, points) = (chosen.len(), points.len());
-            let said = Remark::Classes { kept, points };
+            let (kept, all, points) = (chosen.len(), &points, points.len());
+            let counts = [2, 6, 9].map(|chosen| {
+                let of_class = |&&[x, _]: &&[f64; 2]| class(x) == chosen;
+                (chosen, all.iter().filter(of_class).count())
+            });
+            let counts = counts.to_vec();
+            let said = Remark::Classes {
+                kept,
+                points,
+                counts,
+            };
             assert!(input.remarks().contains(&said), "{:?}", input.remarks());
         }
     }
@@ -280,6 +298,36 @@ fn clouds_that_are_cut_off_are_refused() {
                 .and_then(|mut input| Sorting::new(3_000_000, folder.path()).sort(&mut *input));
             let error = sorted.expect_err("it is cut off").to_string();
             assert!(error.starts_with(&path.display().to_string()), "{error}");
+            let end = match length {
+                0 => "the file is empty",
+                _ => "it is cut off",
+            };
+            assert!(error.ends_with(end), "{error}");
+        }
+    }
+}
+
+/// Of points of the formats 0 and 6, packed or not.
+#[test]
+fn points_that_are_withheld_are_left_out() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for withheld in [0, 4] {
+        for (name, bytes) in small_with(withheld) {
+            let path = folder.path().join(format!("a.{name}"));
+            fs::write(&path, bytes).expect("a file");
+            let format = if name == "las" {
+                Format::Las
+            } else {
+                Format::Laz
+            };
+            let mut input = open(&path, format, None).expect("a file");
+            let order = Sorting::new(3_000_000, folder.path()).sort(&mut *input);
+            let vertices = take(order.expect("no fault")).expect("no fault");
+            let points = (withheld..9).map(|at| [at % 3, at / 3].map(f64::from));
+            assert!(vertices == expected(&points.collect::<Vec<_>>(), &[]).0);
+            let (one, many) = ("point that is withheld", "points that are withheld");
+            let said = Remark::ignored(usize::from(withheld), one, many);
+            assert_eq!(input.remarks().contains(&said), withheld > 0);
         }
     }
 }
