@@ -62,7 +62,7 @@ fn refuse_others(folder: &Path, digits: usize, most: u64) -> Result<(), Failure>
         let Some(number) = name.to_str().and_then(|name| name.strip_suffix(".rest")) else {
             continue;
         };
-        let is_written = |number| (1..=most).contains(&number);
+        let is_written = |number: u64| (1..=most).contains(&number);
         if number.len() != digits || !number.parse().is_ok_and(is_written) {
             return Err(Failure::Error(format!(
                 "{} is there, and no band of this cut: remove it, or let OUTPUT be another folder",
