@@ -87,7 +87,7 @@ impl Properties {
         }
     }
 
-    /// What is lost where they are not written, in words.
+    /// The losses where they are not written, in words.
     pub(crate) fn losses(&self) -> impl Iterator<Item = String> {
         let names = self.names.iter().take(MOST_NAMES);
         let more = self.names.len().saturating_sub(MOST_NAMES);

@@ -507,7 +507,7 @@ impl Voids {
         }
     }
 
-    /// What is to say about them.
+    /// The remarks on these numbers.
     pub fn remarks(&self) -> impl Iterator<Item = Remark> {
         let voids = self.0.iter();
         voids.map(|&(value, count)| Remark::Void { value, count })

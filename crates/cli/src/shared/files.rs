@@ -177,7 +177,7 @@ pub(crate) fn size(text: &str) -> Result<ByteSize, String> {
 }
 
 impl ReadingArgs {
-    /// What is read of a file that is read in pieces.
+    /// The columns and classes that are taken of a file that is read in pieces.
     pub(crate) fn choice(&self) -> Choice {
         Choice {
             columns: self.columns.clone(),

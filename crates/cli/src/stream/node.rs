@@ -1,6 +1,6 @@
 //! The `.node` beside a `.ele`: the points of the input, which the triangles name, with their heights and other columns.
 //!
-//! It is written unless the `.ele` stands beside the file that was read. One that is there is left as it is if it is the one
+//! The file is written unless the `.ele` stands beside the one that was read. One that is there is left as it is if it is the one
 //! that would be written, and no other one is overwritten.
 
 use std::fs::File;
@@ -18,9 +18,9 @@ use crate::shared::outputs::{Destination, Outputs};
 
 /// A `.node`.
 pub(super) enum Node {
-    /// It is to be written.
+    /// A file that is to be written.
     New(Destination),
-    /// It is there, and must be the one that would be written.
+    /// A file that is there, and must be the one that would be written.
     There(PathBuf),
 }
 

@@ -71,27 +71,17 @@ fn columns_go_to_the_outputs_that_have_room() {
     let folder = folder(&[("a.csv", table), ("b.node", node), ("c.ply", ply)]);
     let read = |name: &str| crate::outputs::read(&folder, name);
     for input in ["a.csv", "b.node", "c.ply"] {
-        let made = ran(&folder, &format!("triangulate {input} -o m.ele -o m.ply"));
-        assert_eq!(made.status.code(), Some(0), "{}", text(&made.stderr));
-        let streamed = ran(&folder, &format!("stream {input} -o s.ele"));
-        assert_eq!(
-            streamed.status.code(),
-            Some(0),
-            "{}",
-            text(&streamed.stderr)
-        );
+        let make = |arguments: String| {
+            let made = ran(&folder, &arguments);
+            assert_eq!(made.status.code(), Some(0), "{}", text(&made.stderr));
+        };
+        make(format!("triangulate {input} -o m.ele -o m.ply"));
+        make(format!("stream {input} -o s.ele"));
         assert_eq!(read("s.node"), read("m.node"), "{input}");
         // Again: the same file may stand there, and no other one.
-        let again = ran(&folder, &format!("stream {input} -o s.ele"));
-        assert_eq!(again.status.code(), Some(0), "{}", text(&again.stderr));
-        let streamed = ran(&folder, &format!("stream {input} -o s.ply"));
-        assert_eq!(
-            streamed.status.code(),
-            Some(0),
-            "{}",
-            text(&streamed.stderr)
-        );
-        // What is read of both in memory is one and the same.
+        make(format!("stream {input} -o s.ele"));
+        make(format!("stream {input} -o s.ply"));
+        // Both files are read to one graph.
         let [one, other] = ["m.ply", "s.ply"].map(|name| {
             let output = ran(
                 &folder,

@@ -102,7 +102,7 @@ impl<S: Exact> Work<'_, '_, S> {
             )?;
             self.settle();
         }
-        // Those that take a sweep come together, after all others.
+        // Parts that take a sweep come together, after all others.
         let mut rest = Vec::new();
         for part in std::mem::take(&mut self.waiting) {
             if self.room() == 0 {
