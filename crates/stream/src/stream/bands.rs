@@ -1,11 +1,10 @@
 //! Bands that follow each other from below, on all cores.
 //!
 //! ```text
-//!     cut       settle          join                 Four bands are settled at once, each by itself. Beside them the
+//!      cut          settle           join            Four bands are settled at once, each by itself. Beside them the
 //!                                                    caller's thread joins the four rests below to what is left of
-//!     | 8 |                                          all before, passes on what is final, and cuts the next four.
-//!     | : | ->  | 4 || 7 |
-//!     | b |     | 5 || 6 |  ->  | 0 to 3 |  ->  out
+//!     8 to 11  ->   4  5    ->   0 to 3    ->  out   all before, passes on what is final, and cuts the next four.
+//!                   6  7
 //! ```
 //!
 //! **Why nothing depends on the cores:** four bands are settled at once however many there are, and what is passed on is
