@@ -62,7 +62,7 @@ mod temporary;
 
 pub use bands::Bands;
 pub use error::Error;
-pub use input::{Choice, FORMATS, Input, open, open_chosen, read_chosen};
+pub use input::{Choice, FORMATS, Input, Part, chained, open, open_chosen, read_chosen};
 pub use order::{SweepOrder, Vertex};
 pub use prepare::Sorting;
 pub use summary::{Statistics, Summary};
