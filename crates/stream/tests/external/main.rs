@@ -1,7 +1,8 @@
 //! Sorting in external memory against sorting in memory: `order.rs` for the order, `formats.rs` and `ply.rs` for the readers
-//! of files (`clouds.rs` with the feature `las`), `faults.rs` for what can go wrong, and
+//! of files (`clouds.rs` with the feature `las`), `chained.rs` for several inputs, `faults.rs` for what can go wrong, and
 //! `headers.rs` for files whose headers say too much.
 
+mod chained;
 #[cfg(feature = "las")]
 mod clouds;
 mod faults;
