@@ -90,24 +90,20 @@ fn open(
         ..choice.clone()
     };
     let inputs = files.iter().map(|(from, format)| {
-        let is_of_class = is_cloud(*format) || !has_clouds;
-        from.open(
-            *format,
-            if is_of_class {
-                choice
-            } else {
-                &without_classes
-            },
-        )
+        let choice = match is_cloud(*format) || !has_clouds {
+            true => choice,
+            false => &without_classes,
+        };
+        from.open(*format, choice)
     });
     chained(inputs.collect::<Result<_, _>>()?, edges)
 }
 
 /// The inputs of which one is made, or itself.
-fn inputs(input: &Box<dyn Input>) -> &[Box<dyn Input>] {
+fn inputs(input: &dyn Input) -> Vec<&dyn Input> {
     match input.inputs() {
-        [] => std::slice::from_ref(input),
-        inputs => inputs,
+        [] => vec![input],
+        inputs => inputs.iter().map(|input| &**input).collect(),
     }
 }
 
@@ -195,20 +191,23 @@ impl SortArgs {
             files.push((from, format));
         }
         let mut input = open(&files, self.edges.as_deref(), &choice)?;
-        let said: Vec<Vec<Remark>> = inputs(&input).iter().map(|input| input.remarks()).collect();
+        let said: Vec<Vec<Remark>> = inputs(&*input)
+            .iter()
+            .map(|input| input.remarks())
+            .collect();
         for (file, remarks) in arguments.iter().zip(&said) {
             say(&file.input_name(), remarks)?;
         }
         let order = self.order(&mut *input, &self.folder());
         let order = order.map_err(|error| self.failure(&error))?;
-        for ((file, input), said) in arguments.iter().zip(inputs(&input)).zip(said) {
+        for ((file, input), said) in arguments.iter().zip(inputs(&*input)).zip(said) {
             let mut remarks = input.remarks();
             remarks.retain(|remark| !said.contains(remark));
             say(&file.input_name(), &remarks)?;
         }
         Ok(Sorted {
             order,
-            first_point: inputs(&input)[0].part().first[0],
+            first_point: inputs(&*input)[0].part().first[0],
             has_heights: input.heights().is_some(),
             columns: input
                 .columns()

@@ -13,7 +13,11 @@ fn cut(random: &mut Random, inputs: u64) -> (Vec<Made>, Vec<[f64; 2]>, Vec<[u64;
     let (mut made, mut points, mut edges) = (Vec::new(), Vec::new(), Vec::new());
     for _ in 0..inputs {
         let before = points.len() as u64;
-        let count = [0, 1, 30_000][random.below(3) as usize];
+        let count = match random.below(3) {
+            0 => 0,
+            1 => 1,
+            _ => 30_000,
+        };
         let own: Vec<[f64; 2]> = (0..count)
             .map(|_| [random.below(300), random.below(300)].map(|x| x as f64))
             .collect();
