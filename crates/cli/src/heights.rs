@@ -74,10 +74,11 @@ unless --within is given. Of several nearest places the lowest counts, and of th
 Output: a .geojson, .csv, .xyz or .txt that is written in its own format stays as it is, features with
 their properties and rows with all their fields, but for heights: third coordinates, or the column of
 heights, which is the last one if there was none. Rows become features of a .geojson, with all other
-fields as properties; it names the coordinate system of the terrain if the points have none. In another format: the points in the order of their
-file, with their columns, markers and coordinate system where the format has room for them, and their
-heights in place of those that they had. Equal points of a map (.geojson, .wkt) are one. A point
-without a height has what its format has for that: nothing, or `NaN`. A line says how many there are.
+fields as properties. In another format: the points in the order of their file, with their columns,
+markers and coordinate system where the format has room for them, and their heights in place of those
+that they had. A .geojson names the coordinate system of the terrain, if the points have none. Equal
+points of a map (.geojson, .wkt) are one. A point without a height has what its format has for that:
+nothing, or `NaN`. A line says how many there are.
 
 --raster writes a grid as `sweep-cdt stream --raster` does: .asc, with NODATA_value where no triangle
 is, or .tif, with NaN there. Cells cover all points.

@@ -72,7 +72,7 @@ pub fn raised<S: Coordinate>(
 /// ```
 ///
 /// # Errors
-/// Those of [`read()`](crate::read()), by which it was read before.
+/// The errors of [`read()`](crate::read()), by which it was read before.
 pub fn properties_of_rows(source: &Source) -> Result<Properties, ReadError> {
     text::properties(source)
 }

@@ -39,6 +39,8 @@
 //! with the square root of the input: 64 MB suffice for 10^10 points or 10^9 edges, 256 MB for 16 times as many. More
 //! memory makes fewer and longer runs. The edges of one vertex are in memory together, whatever the bound.
 //!
+//! **Tiles.** [`chained`] makes one input of several, whose points are numbered on through all of them.
+//!
 //! **Bands.** For many machines [`Bands`] cuts the order.
 //!
 //! **What can fail.** Every fault of the input and of the disk is an [`Error`]. Temporary files have no names, so nothing

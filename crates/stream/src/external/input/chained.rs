@@ -32,8 +32,9 @@ use crate::external::input::{Input, Part, with_edges};
 /// ```
 ///
 /// # Errors
-/// There is no input, or two have different coordinate systems. There are edges in an input, and the file of edges cannot add any, or it cannot be
-/// opened. While points come: a column holds text in some rows of an input, and numbers in another input.
+/// There is no input, or two have different coordinate systems. There are edges in an input, and the file of edges cannot
+/// add any, or it cannot be opened. While points come: a column holds text in some rows of an input, and numbers in
+/// another input.
 pub fn chained(
     mut inputs: Vec<Box<dyn Input>>,
     edges: Option<&Path>,
@@ -252,7 +253,7 @@ impl Input for Chained {
     }
 }
 
-/// What is known of an input that is over.
+/// The knowledge of an input that is over, for messages.
 struct Over {
     name: String,
     part: Part,

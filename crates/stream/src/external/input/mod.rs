@@ -26,7 +26,7 @@ pub trait Input {
     /// The name in errors.
     fn name(&self) -> &str;
 
-    /// What is read now of the input: numbers in errors are those of this file.
+    /// The part of the input that is read now: numbers in errors are those of this file.
     fn part(&self) -> Part {
         Part::default()
     }
@@ -94,10 +94,10 @@ pub trait Input {
     }
 }
 
-/// What is read now of an input: the only file, or one of several.
+/// The part of an input that is read now: the only file, or one of several.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Part {
-    /// Its points, by their numbers in the whole input: edges end at no others. While points come, the end is not known.
+    /// The points of the file, by their numbers in the whole input: edges of the file end at no others. While points come, the end is not known.
     pub points: Range<u64>,
     /// The number of its first edge in the whole input.
     pub edges: u64,
