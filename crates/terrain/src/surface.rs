@@ -4,9 +4,6 @@
 //! first of them; if that has no height, it takes the first that another of them has.
 
 use sweep_cdt::interior::Interior;
-use sweep_cdt::scalar::Scalar;
-
-use crate::passing::Corner;
 
 /// A terrain: the triangles inside a domain of a triangulation, and a height for each vertex.
 ///
@@ -70,34 +67,6 @@ impl<'a, S> Surface<'a, S> {
             let [low, high] = range.unwrap_or([height; 2]);
             Some([low.min(height), high.max(height)])
         })
-    }
-
-    /// All triangles inside as triangles that pass, counter-clockwise; missing heights are NaN. Coordinates that are no doubles
-    /// are rounded.
-    ///
-    /// ```
-    /// use sweep_cdt::interior::Interior;
-    /// use sweep_cdt_terrain::Surface;
-    ///
-    /// let points = [[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]];
-    /// let result = sweep_cdt::triangulate(&points, &[])?;
-    /// let whole = Interior::whole(&result);
-    /// let surface = Surface::new(&points, &whole, &[0.0, 1.0]);
-    /// let [corners] = surface.passing().collect::<Vec<_>>().try_into().unwrap();
-    /// assert!(corners.iter().all(|corner| corner.height.is_nan() == (corner.number == 2)));
-    /// # Ok::<(), sweep_cdt::Error>(())
-    /// ```
-    pub fn passing(&self) -> impl Iterator<Item = [Corner; 3]>
-    where
-        S: Scalar,
-    {
-        let corner = |v: usize| Corner {
-            number: v as u64,
-            point: self.points[v].each_ref().map(Scalar::approx),
-            height: self.heights[v],
-        };
-        let inside = self.interior.inside();
-        inside.map(move |t| self.interior.triangulation().triangle(t).map(corner))
     }
 
     /// The corners of a triangle of the triangulation, if it belongs to the surface.
