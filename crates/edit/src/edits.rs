@@ -10,7 +10,7 @@ use sweep_cdt::scalar::Scalar;
 use crate::error::EditError;
 use crate::hints::Hints;
 use crate::locate::Place;
-use crate::mesh::{MOST, NONE, next, number, prev, turned};
+use crate::mesh::{MOST, NONE, next, number, packed, prev, unpacked};
 use crate::points::Points;
 use crate::region::Piece;
 use crate::triangulation::DynamicTriangulation;
@@ -411,7 +411,7 @@ impl<S: Scalar + Clone> DynamicTriangulation<S> {
         let mut pieces = Vec::new();
         for (i, ends) in edges.iter().enumerate() {
             let ends = ends.map(|point| self.end(point, vertices));
-            pieces.extend(self.pierce(ends, self.edges.len() + i));
+            pieces.extend(self.pierce(ends, self.edges.len() + i, edges.len() == 1));
         }
         // A part that is a side and stays one is covered once more.
         let mut swept = Vec::new();
@@ -485,11 +485,13 @@ impl<S: Scalar + Clone> DynamicTriangulation<S> {
             self.mesh.forget();
             Default::default()
         };
-        let named = |points: &Points<S>, list: Vec<[u32; 3]>| {
-            let named = list.into_iter().map(|t| turned(t.map(|v| points.name(v))));
-            let mut named: Vec<[usize; 3]> = named.collect();
-            named.sort_unstable();
-            named
+        let named = |points: &Points<S>, mut list: Vec<u128>| {
+            for t in &mut list {
+                *t = packed(unpacked(*t).map(|v| number(points.name(v))));
+            }
+            list.sort_unstable();
+            let numbers = list.into_iter().map(unpacked);
+            numbers.map(|t| t.map(|point| point as usize)).collect()
         };
         let gone = named(&self.points, gone);
         let (first_point, first_edge) = (self.points.next(), self.edges.len());

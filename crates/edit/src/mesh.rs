@@ -33,6 +33,8 @@ pub(crate) struct Mesh {
     /// For each vertex a corner at it, or [`NONE`].
     at: Vec<u32>,
     journal: Vec<Before>,
+    /// For each triangle whether the journal, as it is read, has named it.
+    is_read: Vec<bool>,
 }
 
 /// As many points, vertices and edges have numbers; triangles then have, too.
@@ -227,32 +229,56 @@ impl Mesh {
         self.journal.clear();
     }
 
-    /// Ends the journal: the triangles that are gone since it was read last, and those that are new. One that came and
-    /// went is neither.
-    pub(crate) fn read(&mut self) -> [Vec<[u32; 3]>; 2] {
-        let changed = self.journal.drain(..).filter_map(|before| match before {
-            Before::Born(t) => Some((t, None)),
-            Before::Died(t, triangle) => Some((t, Some(triangle.vertices))),
-            _ => None,
-        });
-        let mut first: Vec<_> = changed.collect();
-        // The first change of each triangle, since this order is stable.
-        first.sort_by_key(|&(t, _)| t);
-        first.dedup_by_key(|&mut (t, _)| t);
-        let before = first.iter().filter_map(|&(_, vertices)| vertices);
-        let mut gone: Vec<_> = before.map(turned).collect();
-        let new = first.iter().filter_map(|&(t, _)| self.triangle(t));
-        let mut new: Vec<_> = new.map(turned).collect();
-        // Some of a region come back as they were.
-        for list in [&mut gone, &mut new] {
-            list.sort_unstable();
+    /// Ends the journal: the triangles that are gone since it was read last, and those that are new, each as one number.
+    /// One that came and went is neither.
+    pub(crate) fn read(&mut self) -> [Vec<u128>; 2] {
+        let (mut gone, mut new) = (Vec::new(), Vec::new());
+        let journal = std::mem::take(&mut self.journal);
+        self.is_read.resize(self.triangles.len(), false);
+        for before in &journal {
+            let (t, vertices) = match *before {
+                Before::Born(t) => (t, None),
+                Before::Died(t, triangle) => (t, Some(triangle.vertices)),
+                _ => continue,
+            };
+            // The first change of a triangle tells what was there.
+            if !std::mem::replace(&mut self.is_read[t as usize], true) {
+                gone.extend(vertices.map(packed));
+                new.extend(self.triangle(t).map(packed));
+            }
         }
-        let is_in = |list: &[[u32; 3]], t: &[u32; 3]| list.binary_search(t).is_ok();
-        let (before, after) = (gone.clone(), new.clone());
-        gone.retain(|t| !is_in(&after, t));
-        new.retain(|t| !is_in(&before, t));
+        for before in journal {
+            if let Before::Born(t) | Before::Died(t, _) = before {
+                self.is_read[t as usize] = false;
+            }
+        }
+        // Some of a region come back as they were.
+        gone.sort_unstable();
+        new.sort_unstable();
+        let mut others = new.iter().peekable();
+        let mut stayed = Vec::new();
+        gone.retain(|t| {
+            while others.next_if(|&other| other < t).is_some() {}
+            let is_new = others.peek() == Some(&t);
+            stayed.extend(is_new.then_some(*t));
+            !is_new
+        });
+        let mut stayed = stayed.into_iter().peekable();
+        new.retain(|t| stayed.next_if_eq(t).is_none());
         [gone, new]
     }
+}
+
+/// A triangle as one number: from its lowest corner, in the order of the corners' numbers.
+pub(crate) fn packed(triangle: [u32; 3]) -> u128 {
+    let corners = turned(triangle).into_iter();
+    corners.fold(0, |all, corner| all << 32 | u128::from(corner))
+}
+
+/// The corners of a triangle as one number.
+#[expect(clippy::cast_possible_truncation, reason = "a corner has 32 bits")]
+pub(crate) fn unpacked(triangle: u128) -> [u32; 3] {
+    [64, 32, 0].map(|bits| (triangle >> bits) as u32)
 }
 
 /// A triangle, from its lowest vertex.

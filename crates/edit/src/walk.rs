@@ -48,16 +48,21 @@ impl<S: Scalar + Clone> DynamicTriangulation<S> {
     }
 
     /// Adds what a new edge pierces to the region; where that is another edge, the sweep names both. Returns its parts,
-    /// with the sides of those that are sides.
+    /// with the sides of those that are sides. Of an edge that comes alone parts that pierce one side alone take its place.
     pub(crate) fn pierce(
         &mut self,
         [mut v, end]: [u32; 2],
         edge: usize,
+        is_alone: bool,
     ) -> Vec<(Piece, Option<u32>)> {
         let mut pieces = Vec::new();
         while v != end {
             let (w, side) = match self.step(v, end) {
                 Step::Side(side, w) => (w, Some(side)),
+                Step::Pierces(side) if is_alone && self.is_only_side(side, end) => {
+                    let apex = self.mesh.apex(self.mesh.twin(side));
+                    (apex, Some(self.exchange(side)))
+                }
                 Step::Pierces(side) => (self.pierce_from(v, end, side), None),
             };
             let ends = [v, w];

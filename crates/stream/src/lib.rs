@@ -3,7 +3,8 @@
 //!
 //! - `external` brings an input of any length into the order of the sweep (with the feature `external`, a default).
 //! - [`Stream`] takes vertices in the order of the sweep, and passes on triangles that are final.
-//! - [`Cut`] and [`Rest`] do that with the bands of an input, each apart from the others, on any machine.
+//! - [`Cut`] and [`Rest`] do that with the bands of an input, each apart from the others, on any machine; [`settle_all`] with
+//!   all of them, on all cores.
 //! - [`StreamVerifier`] judges triangles that come in any order.
 
 #[cfg(feature = "external")]
@@ -11,7 +12,9 @@ pub mod external;
 mod stream;
 mod verify;
 
-pub use stream::{Alive, Carried, Cut, Final, Rest, RestError, Stream, StreamError, StreamStats};
+pub use stream::{
+    Alive, Carried, Cut, Final, Rest, RestError, Stream, StreamError, StreamStats, settle_all,
+};
 pub use verify::{StreamReport, StreamVerifier, StreamViolation};
 
 /// The example of the README, as a test.

@@ -1,11 +1,11 @@
 //! Bands: joined in any order, what they pass on is the result in memory.
 
 use sweep_cdt::{Error, Triangulator, triangulate};
-use sweep_cdt_stream::{Cut, Final, Rest, RestError, StreamError};
+use sweep_cdt_stream::{Cut, Final, Rest, RestError, StreamError, settle_all};
 use sweep_cdt_testing::data::Hard;
 use sweep_cdt_testing::generators::{medium, small};
 use sweep_cdt_testing::oracle::{crosses, found};
-use sweep_cdt_testing::streams::{banded, written_and_read};
+use sweep_cdt_testing::streams::{banded, settled, written_and_read};
 use sweep_cdt_testing::{Input, Random, families};
 
 /// Tries bands of up to so many vertices, joined in several orders.
@@ -14,16 +14,22 @@ fn assert_as_in_memory(input: &Input, sizes: &[usize], random: &mut Random) {
     let memory = triangulate(points, edges);
     for &most in sizes {
         let name = || format!("bands of {most}: {input:?}");
-        match (&memory, banded(input, most, random, written_and_read)) {
-            (Ok(result), Some(Ok(answer))) => {
-                let expected = found(result, points.len(), edges.len());
-                assert_eq!(answer, expected, "{}", name());
+        let outcomes = [
+            banded(input, most, random, written_and_read),
+            settled::<f64>(input, most, random),
+        ];
+        for outcome in outcomes {
+            match (&memory, outcome) {
+                (Ok(result), Some(Ok(answer))) => {
+                    let expected = found(result, points.len(), edges.len());
+                    assert_eq!(answer, expected, "{}", name());
+                }
+                (Err(_), Some(Err(Error::CrossingEdges { edges: pair }))) => {
+                    assert!(crosses(points, edges, pair), "{pair:?}, {}", name());
+                }
+                (Err(_), None) => {}
+                (memory, bands) => panic!("{memory:?}, but {bands:?}, {}", name()),
             }
-            (Err(_), Some(Err(Error::CrossingEdges { edges: pair }))) => {
-                assert!(crosses(points, edges, pair), "{pair:?}, {}", name());
-            }
-            (Err(_), None) => {}
-            (memory, bands) => panic!("{memory:?}, but {bands:?}, {}", name()),
         }
     }
 }
@@ -222,4 +228,64 @@ fn files_that_are_no_rests_are_refused() {
         Err(RestError::Damaged)
     );
     assert_eq!(refused(b"ply\nformat ascii 1.0\n"), Err(RestError::Foreign));
+}
+
+/// Rows of a lattice, each a band.
+fn rows(cut: &Cut<f64>, chosen: &[usize]) -> impl Iterator<Item = Rest<f64>> {
+    let row = |&y: &usize| {
+        let row: Vec<[f64; 2]> = (0..10).map(|x| [f64::from(x), y as f64]).collect();
+        band(cut, 10 * y, &row)
+    };
+    chosen.iter().map(row).collect::<Vec<_>>().into_iter()
+}
+
+#[test]
+fn bands_that_are_missing_are_named() {
+    let cut = Cut {
+        vertices: 90,
+        between: [0.0, 9.0],
+    };
+    let all = [0, 1, 2, 3, 4, 5, 6, 7, 8];
+    let settled = |chosen: &[usize], limit| {
+        let mut bands = rows(&cut, chosen);
+        settle_all(|_| Ok(bands.next()), limit, |_| ()).map(|stats| stats.triangles)
+    };
+    let not_next = |end, next| Err(StreamError::NotNext { end, next });
+    assert_eq!(settled(&all, 90), Ok(2 * 8 * 9));
+    assert_eq!(settled(&all[1..], 90), not_next(0, 10));
+    assert_eq!(settled(&all[..5], 90), not_next(50, 90));
+    assert_eq!(settled(&[0, 1, 2, 3, 4, 5, 7, 8], 90), not_next(60, 70));
+    assert_eq!(settled(&[], 90), Ok(0));
+    let few = settled(&all, 5);
+    assert!(
+        matches!(few, Err(StreamError::TooMuchAlive { limit: 5, .. })),
+        "{few:?}"
+    );
+}
+
+/// An error of a band goes before one of the bands above, whichever is found first.
+#[test]
+fn the_lowest_error_is_named() {
+    let cut = Cut {
+        vertices: 90,
+        between: [0.0, 9.0],
+    };
+    for cut_at in [3, 4, 7, 8] {
+        let mut bands = rows(&cut, &[0, 1, 3, 4, 5, 6, 7, 8]);
+        let mut count = 0;
+        let next = |_| {
+            count += 1;
+            match count > cut_at {
+                true => Err(StreamError::OtherInput),
+                false => Ok(bands.next()),
+            }
+        };
+        let settled = settle_all(next, 90, |_| ());
+        let expected = match cut_at {
+            // The third band is never settled.
+            3 => StreamError::OtherInput,
+            _ => StreamError::NotNext { end: 20, next: 30 },
+        };
+        assert_eq!(settled.map(|_| ()), Err(expected), "{cut_at}");
+    }
 }

@@ -1,5 +1,6 @@
 //! Inputs as streams: sorted, pushed vertex by vertex, and what comes out, put together again.
 
+use std::cell::Cell;
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
@@ -7,7 +8,9 @@ use sweep_cdt::verify::{Level, Verifier};
 use sweep_cdt::{Error, Triangulation};
 use sweep_cdt_generate::Random;
 pub use sweep_cdt_stream::Rest;
-use sweep_cdt_stream::{Cut, Final, Stream, StreamError, StreamVerifier, StreamViolation};
+use sweep_cdt_stream::{
+    Cut, Final, Stream, StreamError, StreamVerifier, StreamViolation, settle_all,
+};
 
 use crate::Input;
 use crate::any_front::AnyFront;
@@ -65,35 +68,15 @@ pub fn banded<S: Sample + Clone>(
 ) -> Option<Result<Answer, Error>> {
     let points = fed::<S>(input)?;
     Some(collected(&points, &input.edges, |sorted, out| {
-        let mut count = 0;
+        let count = Cell::new(0);
         let mut out = |found| {
-            count += u64::from(matches!(found, Final::Triangle { .. }));
+            count.set(count.get() + u64::from(matches!(found, Final::Triangle { .. })));
             out(found);
         };
-        let Some(between) = range(&points) else {
-            return Ok(0);
-        };
-        let vertices = points.len() as u64;
-        let cut = Cut { vertices, between };
         let mut session = triangulator(&points, &input.edges).session();
-        let mut rests = Vec::new();
-        let mut first = 0;
-        while first < sorted.len() {
-            let mut end = (first + 1 + random.below(most)).min(sorted.len());
-            // Equal points belong to one band.
-            let order = |u: usize, v: usize| sweep_order(&points[sorted[u]], &points[sorted[v]]);
-            while end < sorted.len() && order(end - 1, end).is_eq() {
-                end += 1;
-            }
-            let band = sorted[first..end].iter();
-            let band = band.map(|&v| (v as u64, points[v].clone()));
-            let ends = |&edge: &[usize; 2]| edge.map(|v| points[v].clone());
-            let edges = (0..).zip(input.edges.iter().map(ends));
-            rests.push(cut.band(first as u64, band, edges, &mut out)?);
-            first = end;
-        }
+        let mut rests = cut(&points, &input.edges, sorted, most, random, &mut out)?;
         // A rest may be joined to others before it has been settled, and be settled twice.
-        loop {
+        while !rests.is_empty() {
             let at = random.below(rests.len());
             let mut rest = carried(rests.remove(at));
             if random.below(3) > 0 {
@@ -104,11 +87,69 @@ pub fn banded<S: Sample + Clone>(
             rests.insert(at, rest);
             if rests[0].is_complete() {
                 let left = rests.remove(0).settle(&mut session, &mut out)?;
-                assert!(count == 0 || left.vertices() == 0, "vertices are left");
-                return Ok(count);
+                assert!(
+                    count.get() == 0 || left.vertices() == 0,
+                    "vertices are left"
+                );
             }
         }
+        Ok(count.get())
     }))
+}
+
+/// The outcome of bands of up to so many vertices that are settled by [`settle_all`]; otherwise like [`streamed`].
+///
+/// # Panics
+/// As [`streamed`]; or if the counts are wrong.
+pub fn settled<S: Sample + Clone + Send>(
+    input: &Input,
+    most: usize,
+    random: &mut Random,
+) -> Option<Result<Answer, Error>> {
+    let points = fed::<S>(input)?;
+    Some(collected(&points, &input.edges, |sorted, out| {
+        let bands = cut(&points, &input.edges, sorted, most, random, &mut *out)?;
+        let mut bands = bands.into_iter();
+        let stats = settle_all(|_| Ok::<_, StreamError>(bands.next()), usize::MAX, out)?;
+        assert_eq!(stats.vertices + stats.duplicates, points.len() as u64);
+        let order = |&[u, v]: &[usize; 2]| sweep_order(&points[u], &points[v]);
+        let edges = input.edges.iter().filter(|edge| order(edge).is_ne());
+        assert_eq!(stats.edges, edges.count() as u64);
+        Ok(stats.triangles)
+    }))
+}
+
+/// Bands of up to so many vertices.
+fn cut<S: Sample + Clone>(
+    points: &[[S; 2]],
+    edges: &[[usize; 2]],
+    sorted: &[usize],
+    most: usize,
+    random: &mut Random,
+    mut out: impl FnMut(Final),
+) -> Result<Vec<Rest<S>>, StreamError> {
+    let mut bands = Vec::new();
+    let Some(between) = range(points) else {
+        return Ok(bands);
+    };
+    let vertices = points.len() as u64;
+    let cut = Cut { vertices, between };
+    let mut first = 0;
+    while first < sorted.len() {
+        let mut end = (first + 1 + random.below(most)).min(sorted.len());
+        // Equal points belong to one band.
+        let order = |u: usize, v: usize| sweep_order(&points[sorted[u]], &points[sorted[v]]);
+        while end < sorted.len() && order(end - 1, end).is_eq() {
+            end += 1;
+        }
+        let band = sorted[first..end].iter();
+        let band = band.map(|&v| (v as u64, points[v].clone()));
+        let ends = |&edge: &[usize; 2]| edge.map(|v| points[v].clone());
+        let edges = (0..).zip(edges.iter().map(ends));
+        bands.push(cut.band(first as u64, band, edges, &mut out)?);
+        first = end;
+    }
+    Ok(bands)
 }
 
 /// A rest that was written and read.

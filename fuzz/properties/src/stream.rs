@@ -7,7 +7,7 @@ use sweep_cdt::verify::Level;
 use sweep_cdt_testing::oracle::{Answer, crosses, found};
 use sweep_cdt_testing::runs::Sample;
 use sweep_cdt_testing::streams::{
-    Altered, Feeding, Rest, Streaming, banded, streamed, written_and_read,
+    Altered, Feeding, Rest, Streaming, banded, settled, streamed, written_and_read,
 };
 use sweep_cdt_testing::tuned::triangulate;
 use sweep_cdt_testing::{AnyFront, Input, Random, generators};
@@ -69,8 +69,9 @@ pub fn test(bytes: &[u8]) {
     }
 }
 
-/// The outcome of a stream, or of bands as high as its windows, joined in an order that a number chooses, each carried so.
-fn passed_on<S: Sample + Clone>(
+/// The outcome of a stream, or of bands as high as its windows, joined in an order that a number chooses, each carried so;
+/// or for one number of four settled together.
+fn passed_on<S: Sample + Clone + Send>(
     input: &Input,
     way: &Streaming,
     bands: Option<u64>,
@@ -78,6 +79,9 @@ fn passed_on<S: Sample + Clone>(
 ) -> Option<Result<Answer, sweep_cdt::Error>> {
     match bands {
         None => streamed::<S>(input, way),
+        Some(seed) if seed.is_multiple_of(4) => {
+            settled::<S>(input, way.window, &mut Random::new(seed))
+        }
         Some(seed) => banded::<S>(input, way.window, &mut Random::new(seed), carried),
     }
 }

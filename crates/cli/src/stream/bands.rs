@@ -23,13 +23,13 @@ impl StreamCommand {
             return Err(Failure::Usage(message.to_owned()));
         };
         let read = self.sort.files(&self.inputs, self.strict);
-        let sorted = self
+        let mut sorted = self
             .sort
             .sorted(&self.inputs, self.choice(false), |name, remarks| {
                 read.say(name, remarks)
             })?;
         fs::create_dir_all(folder).map_err(|error| Failure::of_file(folder, &error))?;
-        let bands = Bands::new(sorted.order, size);
+        let bands = Bands::new(&mut sorted.order, size);
         let mut bands = bands.map_err(|error| self.sort.failure(&error))?;
         let most = bands.most();
         // As many digits as the last one has, so that their names are sorted as they are.

@@ -18,8 +18,10 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use sweep_cdt::Triangulator;
-use sweep_cdt_stream::external::{Choice, Input, Statistics, Summary, SweepOrder};
-use sweep_cdt_stream::{Final, Stream, StreamError, StreamStats, StreamVerifier, StreamViolation};
+use sweep_cdt_stream::external::{Bands, Choice, Input, Statistics, Summary, SweepOrder};
+use sweep_cdt_stream::{
+    Final, Stream, StreamError, StreamStats, StreamVerifier, StreamViolation, settle_all,
+};
 
 use crate::shared::failure::Failure;
 use crate::shared::files::{FileArgument, input_names};
@@ -42,6 +44,10 @@ const BYTES: u64 = 200;
 /// So many new vertices for each that is alive has a window whose size nobody gives, and so many at least.
 const SHARE: usize = 7;
 const WINDOW: usize = 1 << 15;
+/// In bands an edge that is open at the sweep line takes as much memory as so many vertices: each band names it.
+const OPEN: usize = 6;
+/// No band has more, unless as many are alive.
+const BAND: usize = 1 << 19;
 /// The bar moves each time that so many vertices have come.
 const STEP: u64 = 1 << 16;
 
@@ -183,6 +189,12 @@ enum Trouble {
     Terrain(io::Error),
 }
 
+impl From<StreamError> for Trouble {
+    fn from(error: StreamError) -> Trouble {
+        Trouble::Stream(error)
+    }
+}
+
 impl Trouble {
     /// The trouble with edges as the files of an input number them.
     fn named(self, input: &dyn Input) -> Trouble {
@@ -305,6 +317,11 @@ impl StreamCommand {
     ) -> Result<StreamStats, Trouble> {
         let is_renumbered =
             vertices.is_some() || triangles.as_ref().is_some_and(|out| out.is_certificate());
+        let of_edges = OPEN.saturating_mul(to_usize(order.summary().open_edges));
+        let is_plain = !is_renumbered && terrain.is_none() && !self.check;
+        if is_plain && self.window.is_none() && of_edges <= self.most() / 2 {
+            return self.swept_in_bands(order, triangles, of_edges);
+        }
         // The stream then numbers distinct vertices as they come.
         let is_counted = is_renumbered || terrain.is_some();
         let Summary { points, x, .. } = order.summary();
@@ -345,14 +362,9 @@ impl StreamCommand {
                 }
             }
         };
-        // The other half of the memory is for what is merged. Two windows are held whatever the memory.
-        let most = self.sort.memory().saturating_mul(2) / self.bytes();
-        let most = usize::try_from(most).unwrap_or(usize::MAX);
-        let window = self.window.map_or(WINDOW, NonZeroUsize::get);
-        let most = most.max(window.saturating_mul(2));
-        let limit = most / 2;
+        let most = self.most();
         let stream = Stream::<f64, _>::new(Triangulator::new(), &mut found);
-        let mut stream = stream.limit(limit);
+        let mut stream = stream.limit(most / 2);
         if points > 0 {
             stream = stream.between(x[0], x[1]);
         }
@@ -429,6 +441,54 @@ impl StreamCommand {
             verifier.finish().map_err(Trouble::Violation)?;
         }
         Ok(stats)
+    }
+
+    /// Takes all vertices in bands, which all cores triangulate, and passes on what is final. Edges that are open at once
+    /// take as much memory as so many vertices.
+    fn swept_in_bands(
+        &self,
+        order: &mut SweepOrder,
+        mut triangles: Option<&mut Triangles<'_, '_, '_>>,
+        of_edges: usize,
+    ) -> Result<StreamStats, Trouble> {
+        let points = to_usize(order.summary().points);
+        let mut bands = Bands::new(order, 1).map_err(Trouble::Order)?;
+        let mut progress = Progress::new("sweeping");
+        // The closure that gets what is final cannot end the stream.
+        let trouble = std::cell::RefCell::new(None);
+        let most = self.most();
+        let next = |alive: usize| -> Result<_, Trouble> {
+            trouble.take().map_or(Ok(()), Err)?;
+            // All bands in memory take as much as four vertices for each vertex of one.
+            let room = most.saturating_sub(alive + of_edges) / 4;
+            let size = room.min(BAND.max(SHARE * alive / 4));
+            bands.resize(size as u64);
+            let band = bands.next_band().map_err(Trouble::Order)?;
+            if let Some(band) = &band {
+                progress.show(to_usize(band.covered().end), points);
+            }
+            Ok(band)
+        };
+        let stats = settle_all(next, most / 2, |found| {
+            let corners = match found {
+                Final::Triangle { corners, .. } => Some(corners),
+                _ => None,
+            };
+            let mut trouble = trouble.borrow_mut();
+            if let (None, Some(out)) = (&*trouble, &mut triangles) {
+                *trouble = out.found(&found, corners).err().map(Trouble::Out);
+            }
+        })?;
+        trouble.take().map_or(Ok(stats), Err)
+    }
+
+    /// How many vertices there may be in memory, of which half may be alive. The other half of the memory is for what is
+    /// merged. Two windows are held whatever the memory.
+    fn most(&self) -> usize {
+        let most = self.sort.memory().saturating_mul(2) / self.bytes();
+        let most = usize::try_from(most).unwrap_or(usize::MAX);
+        let window = self.window.map_or(WINDOW, NonZeroUsize::get);
+        most.max(window.saturating_mul(2))
     }
 
     /// How many bytes of memory there must be for each vertex that is alive. With a terrain lines and rows have a quarter of

@@ -6,6 +6,7 @@ use std::path::Path;
 use std::process::Output;
 
 use serde_json::{Value, json};
+use sweep_cdt::triangulate;
 use sweep_cdt_testing::Input;
 use sweep_cdt_testing::data::Hard;
 use tempfile::TempDir;
@@ -143,6 +144,33 @@ fn real_files_give_the_triangles_of_triangulate() {
         let bytes = fs::read(folder.path().join("t.u32")).expect("a file");
         assert!(set(triangles(&bytes, "u32")) == expected, "{settings}");
     }
+}
+
+/// Bands are triangulated on all cores, and written in one order.
+#[test]
+fn the_number_of_threads_changes_no_byte() {
+    let folder = folder(&[]);
+    let mut input = Input::generated("parcels", 100_000, 7);
+    input.points.extend_from_within(..1000);
+    write_raw(&folder, &input);
+    let made = ["1", "2", "5"].map(|threads| {
+        let arguments = "stream p.f64 --edges e.u64 --memory 1M --stats -o t.u32";
+        let mut command = sweep_cdt(&folder, arguments);
+        let output = command.env("RAYON_NUM_THREADS", threads).output();
+        let output = output.expect("the command starts");
+        let table = printed(&output);
+        let row = |name: &str| {
+            let row = table.lines().find_map(|line| line.strip_prefix(name));
+            row.and_then(|row| row.trim().parse::<u64>().ok())
+        };
+        assert_eq!(row("equal points"), Some(1000), "{table}");
+        assert!(row("windows") > Some(8), "{table}");
+        fs::read(folder.path().join("t.u32")).expect("a file")
+    });
+    assert!(made[0] == made[1] && made[1] == made[2]);
+    let whole = triangulate(&input.points, &input.edges).expect("parcels");
+    let whole = whole.triangles().map(|corners| corners.map(|v| v as u64));
+    assert!(set(triangles(&made[0], "u32")) == set(whole.collect()));
 }
 
 #[test]

@@ -3,14 +3,16 @@
 //! A band gets the edges that begin in it, and those that have begun before and not ended. So the edges that are open at
 //! the sweep line are in memory, with the vertices of one band.
 
+use std::iter::repeat_n;
+
 use crate::external::error::Error;
 use crate::external::order::SweepOrder;
 use crate::{Cut, Rest};
 
 /// The bands of an order, one after the other, from below.
 #[derive(Debug)]
-pub struct Bands {
-    order: SweepOrder,
+pub struct Bands<'a> {
+    order: &'a mut SweepOrder,
     cut: Cut<f64>,
     /// So many vertices a band has, but for those equal to its last one.
     size: u64,
@@ -23,12 +25,12 @@ pub struct Bands {
     of_next: Vec<(u64, [[f64; 2]; 2])>,
 }
 
-impl Bands {
+impl<'a> Bands<'a> {
     /// Cuts an order into bands of so many vertices, at least one; equal ones belong to one band.
     ///
     /// # Errors
     /// See [`Error`]: the temporary files cannot be read.
-    pub fn new(order: SweepOrder, size: u64) -> Result<Self, Error> {
+    pub fn new(order: &'a mut SweepOrder, size: u64) -> Result<Self, Error> {
         let summary = order.summary();
         let mut bands = Bands {
             order,
@@ -44,6 +46,11 @@ impl Bands {
         };
         bands.take()?;
         Ok(bands)
+    }
+
+    /// The bands that follow have so many vertices, at least one.
+    pub fn resize(&mut self, size: u64) {
+        self.size = size.max(1);
     }
 
     /// How many bands there are, but for equal vertices.
@@ -72,25 +79,27 @@ impl Bands {
     /// # Panics
     /// Never: an order is sorted, and its edges end at vertices.
     pub fn next_band(&mut self) -> Result<Option<Rest<f64>>, Error> {
-        let mut vertices = Vec::new();
+        // The number and the place of each vertex, and how many equal ones there are.
+        let mut vertices: Vec<(u64, [f64; 2], usize)> = Vec::new();
+        let first = self.first;
         while let Some((number, point)) = self.next {
             // There is but one zero, so the bits of equal points are equal.
             let bits = |point: [f64; 2]| point.map(f64::to_bits);
-            let is_equal = vertices
-                .last()
-                .is_some_and(|&(_, last)| bits(last) == bits(point));
-            if vertices.len() as u64 >= self.size && !is_equal {
-                break;
+            let last = vertices.last_mut();
+            match last.filter(|(_, last, _)| bits(*last) == bits(point)) {
+                Some((.., count)) => *count += 1,
+                None if self.first - first >= self.size => break,
+                None => vertices.push((number, point, 1)),
             }
-            vertices.push((number, point));
+            self.first += 1;
             self.open.append(&mut self.of_next);
             self.take()?;
         }
-        let Some(&(_, [x, y])) = vertices.last() else {
+        let Some(&(_, [x, y], _)) = vertices.last() else {
             return Ok(None);
         };
-        let first = self.first;
-        self.first += vertices.len() as u64;
+        let each = |(number, point, count)| repeat_n((number, point), count);
+        let vertices = vertices.into_iter().flat_map(each);
         let edges = self.open.iter().copied();
         let band = self.cut.band(first, vertices, edges, |_| ());
         let band = band.expect("vertices in order, and edges with ends");

@@ -54,7 +54,7 @@ pub(crate) fn join<P: Located>(task: Task<'_, '_, P>) -> Result<Joined<P>, Error
     } = task;
     // Every run but the last has as many points.
     let capacity = account.run::<P>();
-    let mut ready = Ready::new(account, folder);
+    let mut ready = Ready::new(account, folder, summary.y);
     let mut waiting = Buckets::new(points.runs(), account, folder);
     let mut half_done = Buckets::new(points.runs(), account, folder);
     let mut places = Vec::new();
@@ -139,6 +139,7 @@ pub(crate) fn join<P: Located>(task: Task<'_, '_, P>) -> Result<Joined<P>, Error
         }
         read = file.read() + waiting.file.read() + half_done.file.read();
     }
+    summary.open_edges = ready.strips.most();
     Ok(Joined {
         points,
         edges: ready.runs.finish(ready.list, 0)?,
@@ -192,11 +193,13 @@ struct Ready {
     runs: Runs<Edge>,
     list: Vec<Edge>,
     capacity: usize,
+    strips: Strips,
 }
 
 impl Ready {
-    fn new(account: Account, folder: &Path) -> Ready {
+    fn new(account: Account, folder: &Path, y: [f64; 2]) -> Ready {
         Ready {
+            strips: Strips::new(y),
             runs: Runs::new(account, folder),
             list: Vec::new(),
             capacity: account.run::<Edge>(),
@@ -222,6 +225,7 @@ impl Ready {
             self.runs.add(&mut self.list, 0)?;
         }
         reserve(&mut self.list, 1, self.capacity)?;
+        self.strips.add([y, upper[1]]);
         self.list.push(Edge {
             y,
             x,
@@ -230,6 +234,53 @@ impl Ready {
         });
         summary.edges += 1;
         Ok(())
+    }
+}
+
+/// How many edges pass each strip between two y.
+struct Strips {
+    low: f64,
+    /// Strips for each unit of y.
+    scale: f64,
+    /// How many more edges pass each strip than the one below.
+    more: Vec<i64>,
+}
+
+const STRIPS: usize = 1 << 12;
+
+impl Strips {
+    fn new([low, high]: [f64; 2]) -> Strips {
+        Strips {
+            low,
+            scale: STRIPS as f64 / (high - low),
+            more: vec![0; STRIPS + 1],
+        }
+    }
+
+    /// The strip of a y: no lower one for a higher y, however the numbers are rounded.
+    fn of(&self, y: f64) -> usize {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "it saturates"
+        )]
+        let strip = ((y - self.low) * self.scale) as usize;
+        strip.min(STRIPS - 1)
+    }
+
+    fn add(&mut self, ends: [f64; 2]) {
+        let [low, high] = ends.map(|y| self.of(y));
+        self.more[low] += 1;
+        self.more[high + 1] -= 1;
+    }
+
+    /// The number of edges that pass the strip which most pass.
+    fn most(&self) -> u64 {
+        let passing = self.more.iter().scan(0, |count, more| {
+            *count += more;
+            Some(*count)
+        });
+        passing.max().map_or(0, i64::unsigned_abs)
     }
 }
 

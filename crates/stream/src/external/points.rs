@@ -75,6 +75,7 @@ impl Filler {
             summary: Summary {
                 points: 0,
                 edges: 0,
+                open_edges: 0,
                 edges_without_length: 0,
                 x: [f64::INFINITY, f64::NEG_INFINITY],
                 y: [f64::INFINITY, f64::NEG_INFINITY],

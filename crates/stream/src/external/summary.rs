@@ -10,6 +10,8 @@ pub struct Summary {
     pub points: u64,
     /// How many edges come with the vertices.
     pub edges: u64,
+    /// No line of the sweep passes more edges than so many, counted in strips of y.
+    pub open_edges: u64,
     /// How many edges have no length, and do not come.
     pub edges_without_length: u64,
     /// The least and the greatest x; infinite, and the wrong way round, without points.

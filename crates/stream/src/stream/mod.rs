@@ -33,6 +33,7 @@
 //! everything alive (one circle, a comb), windows grow with it, twofold each time, so that the time stays that of the
 //! sweep.
 
+mod bands;
 mod carried;
 mod corridor;
 mod error;
@@ -47,6 +48,7 @@ mod window;
 use std::fmt;
 use std::mem;
 
+pub use bands::settle_all;
 pub use carried::Carried;
 pub use error::StreamError;
 pub use rest::{Cut, Rest};
@@ -317,25 +319,12 @@ impl<'a, S: Scalar + Clone, O: FnMut(Final)> Stream<'a, S, O> {
             .collect();
         let corridors = corridors(&window.points, &swept, &paths);
         let retired = retire::retire(window, &swept, line.as_slice(), corridors, &mut |found| {
-            match found {
-                Final::Triangle { .. } => self.stats.triangles += 1,
-                Final::HullSide { .. } => self.stats.hull_sides += 1,
-                Final::Duplicate { .. } => {}
-            }
+            self.stats.found(&found);
             (self.out)(found);
         });
         let Retired { window, alive, .. } = retired;
         self.window = window;
-        self.stats.windows += 1;
-        self.stats.alive = alive;
-        if alive.vertices > self.stats.most_alive.vertices {
-            self.stats.most_alive = alive;
-        }
-        if alive.vertices > self.limit {
-            let limit = self.limit;
-            return Err(StreamError::TooMuchAlive { alive, limit });
-        }
-        Ok(())
+        self.stats.after(1, alive, self.limit)
     }
 
     fn ended(&self) -> Result<(), StreamError> {

@@ -30,6 +30,7 @@ use super::corridor::{Path, corridors};
 use super::error::StreamError;
 use super::finality::{Line, is_between};
 use super::retire::{Final, Retired, retire};
+use super::stats::Alive;
 use super::swept::Swept;
 use super::window::{Window, sweep_order};
 use sweep_cdt::Session;
@@ -207,6 +208,13 @@ impl<S: Scalar + Clone> Rest<S> {
         ]
     }
 
+    /// How many vertices and edges begin in a band.
+    pub(super) fn counts(&self) -> [u64; 2] {
+        let begins = |open: &&Open<S>| !self.beyond(&open.ends)[0];
+        let begun = self.open.values().filter(begins).count();
+        [self.window.points.len(), self.window.edges.len() + begun].map(|n| n as u64)
+    }
+
     /// How many vertices it has.
     pub fn vertices(&self) -> usize {
         self.window.points.len()
@@ -291,10 +299,20 @@ impl<S: Scalar + Clone> Rest<S> {
     /// # Errors
     /// [`StreamError`]: edges cross, and what [`Error`](sweep_cdt::Error) names.
     pub fn settle(
-        mut self,
+        self,
         session: &mut Session,
         mut out: impl FnMut(Final),
     ) -> Result<Self, StreamError> {
+        let (left, _) = self.settle_counted(session, &mut out)?;
+        Ok(left)
+    }
+
+    /// [`settle`](Rest::settle), and what is alive.
+    pub(super) fn settle_counted(
+        mut self,
+        session: &mut Session,
+        out: &mut dyn FnMut(Final),
+    ) -> Result<(Self, Alive), StreamError> {
         let swept = Swept::sweep(&mut self.window, session, None, None);
         let swept = swept.map_err(|error| self.window.renumbered(error))?;
         for v in self
@@ -318,8 +336,10 @@ impl<S: Scalar + Clone> Rest<S> {
         let corridors = corridors(&self.window.points, &swept, &paths);
         let window = mem::take(&mut self.window);
         let Retired {
-            window, reached, ..
-        } = retire(window, &swept, &self.lines(), corridors, &mut out);
+            window,
+            reached,
+            alive,
+        } = retire(window, &swept, &self.lines(), corridors, out);
         self.window = window;
         let mut reached = reached.into_iter().flatten();
         let mut next = || reached.next().flatten();
@@ -333,7 +353,7 @@ impl<S: Scalar + Clone> Rest<S> {
                 met[0] = next();
             }
         }
-        Ok(self)
+        Ok((self, alive))
     }
 
     /// Beyond which vertices may come.

@@ -106,6 +106,23 @@ fn expected(points: &[[f64; 2]], edges: &[[u64; 2]]) -> (Vec<Vertex>, u64) {
     (vertices, without_length)
 }
 
+/// How many edges have begun and not ended, where these are most.
+fn most_open(vertices: &[(u64, [f64; 2], Vec<(u64, [f64; 2])>)]) -> u64 {
+    let sides = vertices.iter().flat_map(|(_, _, upper)| upper);
+    let mut ends: Vec<[f64; 2]> = sides.map(|&(_, [x, y])| [y, x]).collect();
+    ends.sort_by(|a, b| a.partial_cmp(b).expect("no NaN"));
+    let mut ends = ends.into_iter().peekable();
+    let (mut open, mut most) = (0, 0);
+    for &(_, [x, y], ref upper) in vertices {
+        while ends.next_if(|end| *end <= [y, x]).is_some() {
+            open -= 1;
+        }
+        open += upper.len() as u64;
+        most = most.max(open);
+    }
+    most
+}
+
 /// Sorts in so much memory, and compares with sorting in memory. Returns what was said beforehand.
 fn check(points: &[[f64; 2]], edges: &[[u64; 2]], memory: u64, folder: &Path) -> Summary {
     let mut input = Made::new(points.to_vec(), edges.to_vec());
@@ -125,6 +142,11 @@ fn check(points: &[[f64; 2]], edges: &[[u64; 2]], memory: u64, folder: &Path) ->
     }
     let vertices = take(order).expect("no fault");
     assert_eq!(vertices.len(), expected.len());
+    let passing = most_open(&vertices)..=summary.edges;
+    assert!(
+        passing.contains(&summary.open_edges),
+        "{passing:?}, {summary:?}"
+    );
     for (vertex, expected) in vertices.iter().zip(&expected) {
         assert_eq!(vertex, expected);
         // -0.0 and 0.0 are equal for `assert_eq`.
