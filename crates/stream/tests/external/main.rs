@@ -107,7 +107,7 @@ fn expected(points: &[[f64; 2]], edges: &[[u64; 2]]) -> (Vec<Vertex>, u64) {
 }
 
 /// How many edges have begun and not ended, where these are most.
-fn most_open(vertices: &[(u64, [f64; 2], Vec<(u64, [f64; 2])>)]) -> u64 {
+fn most_open(vertices: &[Vertex]) -> u64 {
     let sides = vertices.iter().flat_map(|(_, _, upper)| upper);
     let mut ends: Vec<[f64; 2]> = sides.map(|&(_, [x, y])| [y, x]).collect();
     ends.sort_by(|a, b| a.partial_cmp(b).expect("no NaN"));
