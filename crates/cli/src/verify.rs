@@ -15,8 +15,8 @@ use sweep_cdt_engine::{
     Input as Asked, Inside, OUT_OF_BOUNDS, Question, Verdict, headline, nothing_free,
 };
 use sweep_cdt_formats::{
-    Coordinate, GraphFile, Input, Matching, ResultError, WayOut, added_points, write_certificate,
-    write_violations,
+    Coordinate, Format, GraphFile, Input, Matching, ResultError, WayOut, added_points,
+    write_certificate, write_violations,
 };
 
 use crate::advice::advice;
@@ -24,13 +24,14 @@ use crate::bounded::Bounded;
 use crate::completed::completed;
 use crate::mesh::Mesh;
 use crate::record::{self, Fingerprint, Subject};
-use crate::shared::arguments::{InputArgs, ResultArgs, ResultFiles, distance};
+use crate::shared::arguments::{ResultArgs, ResultFiles, distance};
 use crate::shared::arithmetic::{Given, Job, ScalarArgs};
 use crate::shared::bounds::BoundsArgs;
 use crate::shared::earlier::Earlier;
 use crate::shared::failure::{Failure, way_out};
-use crate::shared::files::{FileArgument, FilesRead, ReadingArgs};
+use crate::shared::files::{FileArgument, FilesRead, ReadingArgs, format_parser};
 use crate::shared::inside::{default_of, expect_suits};
+use crate::shared::layers::LayersArgs;
 use crate::shared::outputs::{Destination, Outputs, refuse_read, refuse_twice};
 use crate::shared::places::located_interior;
 use crate::shared::resources::limit_threads;
@@ -52,9 +53,17 @@ fn level_parser() -> impl TypedValueParser<Value = Level> {
 /// sides, where points lie on it), and every other side is locally Delaunay.
 #[derive(clap::Args)]
 #[command(after_long_help = AFTER_HELP)]
+#[command(override_usage = "sweep-cdt verify [OPTIONS] <INPUT>... [RESULT]")]
 pub(crate) struct Verify {
-    #[command(flatten)]
-    input: InputArgs,
+    /// INPUT, in any format that `sweep-cdt triangulate` reads; several are layers of one input. Behind it RESULT, its
+    /// triangulation: .ele (and the .node beside it), .json, .obj, .off, .ply, .vtk, .vtu, .vtp, .msh, .stl, .geojson, .wkt,
+    /// .npy or .npz. One of them may be `-` for standard input. Without RESULT, INPUT is a mesh of which only bounds are asked
+    #[arg(value_name = "FILES", required = true)]
+    files: Vec<FileArgument>,
+
+    /// Format of the input; of several inputs, of those whose extension tells none [default: by its extension]
+    #[arg(long, value_name = "FORMAT", value_parser = format_parser(Format::INPUTS))]
+    input_format: Option<Format>,
 
     #[command(flatten)]
     result: ResultArgs,
@@ -153,7 +162,8 @@ pub(crate) struct Verify {
 
     /// Read the triangles once, in memory for what is open alone: RESULT is a .u32 or .u64 of `sweep-cdt stream`
     ///
-    /// INPUT is sorted by y first, as `sweep-cdt stream` does. Numbers are positions in INPUT, from 0. Triangles may come
+    /// INPUT is sorted by y first, as `sweep-cdt stream` does; several are one, in the order in which that read them.
+    /// Numbers are positions in INPUT, from 0. Triangles may come
     /// in any order; the order of a sweep takes least memory. The first violation ends the run.
     #[arg(
         long,
@@ -224,7 +234,11 @@ impl Verify {
     }
 
     fn verified(&self) -> Result<(), Failure> {
-        let Some(result) = &self.result.result else {
+        let Some((result, inputs)) = self
+            .files
+            .split_last()
+            .filter(|(_, inputs)| !inputs.is_empty())
+        else {
             let others = [
                 &self.svg,
                 &self.geojson,
@@ -233,7 +247,7 @@ impl Verify {
             ];
             let is_asked_more = self.stream || others.iter().any(|file| file.is_some());
             let mesh = Mesh {
-                input: &self.input.input,
+                input: &self.files[0],
                 result: &self.result,
                 scalar: &self.scalar,
                 bounds: self.bounds.given().filter(|_| !is_asked_more),
@@ -242,8 +256,7 @@ impl Verify {
             };
             return mesh.verify(self.reading.files(), refusal);
         };
-        let files = [&self.input.input, result];
-        if files.iter().all(|file| file.is_standard()) {
+        if self.files.iter().filter(|file| file.is_standard()).count() > 1 {
             let message = "only one of INPUT and RESULT can be standard input";
             return Err(Failure::Usage(message.to_owned()));
         }
@@ -251,7 +264,7 @@ impl Verify {
             return verify_stream(
                 &self.sort,
                 self.level,
-                (&self.input.input, self.reading.choice()),
+                (inputs, self.reading.choice()),
                 result,
             );
         }
@@ -278,11 +291,11 @@ impl Verify {
             list.extend(has_record.then(|| Fingerprint::of(source)));
         };
         let (mut of_input, mut of_result) = (Vec::new(), Vec::new());
-        let input = self
-            .input
-            .read(&mut read, |source| note(&mut of_input, source))?;
+        let layers = LayersArgs::new(inputs, self.input_format);
+        let name = layers.name();
+        let input = layers.read_shown(&mut read, |source| note(&mut of_input, source))?;
         // Then the result may have fractions, too.
-        let mut input = self.scalar.convert(&self.input.name(), input)?;
+        let mut input = self.scalar.convert(&name, input)?;
         let files = self
             .result
             .load(result, &mut read, |source| note(&mut of_result, source))?;
@@ -290,6 +303,7 @@ impl Verify {
         let own = self.with_added(&mut input, &files)?;
         let run = Run {
             arguments: self,
+            names: [name.clone(), result.input_name()],
             read: &read,
             result: files,
             own,
@@ -300,7 +314,7 @@ impl Verify {
             record,
             certificate,
         };
-        self.scalar.apply(&self.input.name(), &input, run)
+        self.scalar.apply(&name, &input, run)
     }
 
     /// Gives the input the vertices that the result has added, if these are allowed. Returns how many are its own.
@@ -329,6 +343,8 @@ impl Verify {
 /// A run with files that are read.
 struct Run<'a> {
     arguments: &'a Verify,
+    /// The names of input and result in messages.
+    names: [String; 2],
     read: &'a FilesRead,
     result: ResultFiles,
     /// How many points are the input's own; the others were added.
@@ -379,8 +395,7 @@ impl Job for Run<'_> {
         };
         let answer = question.answer();
         let answer = answer.map_err(|error| given.failure(located_interior(file, error)))?;
-        let result = arguments.result.result.as_ref();
-        let result = result.map_or(String::new(), FileArgument::input_name);
+        let [input, result] = self.names;
         self.read
             .say(&result, nothing_free(&answer, arguments.level).as_slice())?;
         let bounds = arguments.bounds.given().map(|bounds| {
@@ -443,7 +458,6 @@ impl Job for Run<'_> {
             let Some(advice) = &advice else {
                 return record::write(&subject, &answer, out);
             };
-            let input = arguments.input.name();
             let interior = |rule: Inside| format!("the interior of {input} ({rule})");
             let verified = match domain {
                 Inside::HULL => input.clone(),

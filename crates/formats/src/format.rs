@@ -122,6 +122,9 @@ impl Format {
     /// Formats that [`raised`](crate::raised) writes as they were read, but for heights.
     pub const RAISED: &'static [Format] = &[Csv, Xyz, Txt, Geojson];
 
+    /// Points as text, a row for each.
+    pub const TABLES: &'static [Format] = &[Csv, Xyz, Txt];
+
     /// Formats in which [`write_crossings`](crate::write_crossings) lists edges that cross.
     pub const CROSSINGS: &'static [Format] = &[Csv, Json, Geojson];
 

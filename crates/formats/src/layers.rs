@@ -37,17 +37,12 @@ impl<S> GraphFile<S> {
     /// Two files have different coordinate systems.
     pub fn of_layers(files: Vec<(String, GraphFile<S>)>) -> Result<GraphFile<S>, ReadError> {
         let systems = files.iter();
-        let mut systems = systems.filter_map(|(name, file)| Some((name, file.system.as_ref()?)));
-        if let Some((first, system)) = systems.next()
-            && let Some((name, other)) = systems.find(|(_, other)| !other.is(system))
-        {
-            let [system, other] = [system, other].map(CoordinateSystem::name);
-            let message = format!(
-                "the coordinate system is {other}, and that of {first} is {system}: layers must have the same"
-            );
-            return Err(ReadError::of_file(name, message));
-        }
-        let mut whole = GraphFile::default();
+        let system =
+            CoordinateSystem::of_all(systems.map(|(name, file)| (&name[..], file.system.clone())))?;
+        let mut whole = GraphFile {
+            system,
+            ..GraphFile::default()
+        };
         for (name, file) in files {
             whole.add(name, file.without_faces());
         }
@@ -130,7 +125,6 @@ impl<S> GraphFile<S> {
         self.graph.regions.extend(file.graph.regions);
         self.features = layer.features.end;
         self.merged += file.merged;
-        self.system = self.system.take().or(file.system);
         self.layers.push(layer);
     }
 }

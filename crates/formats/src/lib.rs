@@ -54,8 +54,8 @@ pub use read::Cloud;
 pub use read::ply_parts as ply;
 pub use read::{
     Input, Listed, Matched, Matching, Nearest, Precision, ReadError, ReadErrorKind, ResultError,
-    Source, Triangles, WayOut, added_points, named_columns, named_height, quoted, raised, read,
-    read_result, reason,
+    Source, Triangles, WayOut, added_points, named_columns, named_height, properties_of_rows,
+    quoted, raised, read, read_result, reason,
 };
 pub use remark::{NoTriangles, Remark, Voids};
 pub use seeds::locate_seeds;

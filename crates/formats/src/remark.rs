@@ -30,6 +30,13 @@ pub enum Remark {
         /// The name of so many.
         what: String,
     },
+    /// The format has more of points than any reader takes, on which nothing depends that can be asked.
+    Unread {
+        /// How many there are.
+        count: usize,
+        /// The name of so many.
+        what: String,
+    },
     /// The faces of a mesh count for nothing: what is triangulated is the hull of the vertices.
     Faces {
         /// How many there are.
@@ -223,6 +230,7 @@ impl Remark {
     pub fn name(&self) -> &'static str {
         match self {
             Remark::Ignored { .. } => "ignored",
+            Remark::Unread { .. } => "unread",
             Remark::Faces { .. } => "faces",
             Remark::Conflict { .. } => "conflict",
             Remark::NotWritten { .. } => "not-written",
@@ -300,7 +308,9 @@ impl Remark {
             format!("{count} {}", if count == 1 { one } else { many })
         };
         match self {
-            Remark::Ignored { count, what } => format!("ignored: {count} {what}"),
+            Remark::Ignored { count, what } | Remark::Unread { count, what } => {
+                format!("ignored: {count} {what}")
+            }
             Remark::Faces { count } => format!(
                 "ignored: {}; the hull of the vertices is triangulated",
                 of(*count, "face", "faces")

@@ -5,6 +5,8 @@
 use serde_json::Value;
 use serde_json::value::RawValue;
 
+use crate::ReadError;
+
 /// A coordinate system: the member `crs` of a `GeoJSON`, the `SRID` of a WKT, or the number in a record of a `.las`.
 ///
 /// ```
@@ -141,8 +143,31 @@ impl CoordinateSystem {
         self.is_geographic.unwrap_or_else(seems)
     }
 
+    /// The one system of files of these names; those without one have that of the others.
+    ///
+    /// # Errors
+    /// Two files have different ones.
+    pub fn of_all<'a>(
+        files: impl Iterator<Item = (&'a str, Option<CoordinateSystem>)>,
+    ) -> Result<Option<CoordinateSystem>, ReadError> {
+        let mut systems = files.filter_map(|(name, system)| Some((name, system?)));
+        let Some((first, system)) = systems.next() else {
+            return Ok(None);
+        };
+        match systems.find(|(_, other)| !other.is(&system)) {
+            None => Ok(Some(system)),
+            Some((name, other)) => {
+                let [system, other] = [&system, &other].map(CoordinateSystem::name);
+                let message = format!(
+                    "the coordinate system is {other}, and that of {first} is {system}: files of one input must have the same"
+                );
+                Err(ReadError::of_file(name, message))
+            }
+        }
+    }
+
     /// Whether it is the system of another file: by the numbers of both, or else by what their members say.
-    pub(crate) fn is(&self, other: &CoordinateSystem) -> bool {
+    fn is(&self, other: &CoordinateSystem) -> bool {
         let member = |json| serde_json::from_str::<Value>(json).ok();
         match [self, other].map(CoordinateSystem::srid) {
             [Some(one), Some(other)] => one == other,

@@ -11,7 +11,10 @@
 
 use std::collections::{HashMap, VecDeque};
 
+use sweep_cdt::scalar::Scalar;
+
 use crate::contours::{Contour, above, crossing, piece, place};
+use crate::surface::Surface;
 
 /// Chains that are no longer stay whole: passing them on would free nothing.
 const SHORT: usize = 16;
@@ -25,6 +28,33 @@ pub struct Corner {
     pub point: [f64; 2],
     /// The height of the vertex, NaN where it is missing.
     pub height: f64,
+}
+
+impl<S: Scalar> Surface<'_, S> {
+    /// All triangles inside as triangles that pass, counter-clockwise; missing heights are NaN. Coordinates that are no doubles
+    /// are rounded.
+    ///
+    /// ```
+    /// use sweep_cdt::interior::Interior;
+    /// use sweep_cdt_terrain::Surface;
+    ///
+    /// let points = [[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]];
+    /// let result = sweep_cdt::triangulate(&points, &[])?;
+    /// let whole = Interior::whole(&result);
+    /// let surface = Surface::new(&points, &whole, &[0.0, 1.0]);
+    /// let [corners] = surface.passing().collect::<Vec<_>>().try_into().unwrap();
+    /// assert!(corners.iter().all(|corner| corner.height.is_nan() == (corner.number == 2)));
+    /// # Ok::<(), sweep_cdt::Error>(())
+    /// ```
+    pub fn passing(&self) -> impl Iterator<Item = [Corner; 3]> {
+        let corner = |v: usize| Corner {
+            number: v as u64,
+            point: self.points[v].each_ref().map(Scalar::approx),
+            height: self.heights[v],
+        };
+        let inside = self.interior.inside();
+        inside.map(move |t| self.interior.triangulation().triangle(t).map(corner))
+    }
 }
 
 /// Contour lines of triangles that pass.

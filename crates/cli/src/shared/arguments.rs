@@ -103,14 +103,9 @@ impl InputArgs {
     }
 }
 
-/// Arguments that name a result.
+/// Arguments that say how a result is read.
 #[derive(clap::Args)]
 pub(crate) struct ResultArgs {
-    /// Triangulation of the input: .ele (and the .node beside it), .json, .obj, .off, .ply, .vtk, .vtu, .vtp, .msh, .stl,
-    /// .geojson, .wkt, .npy or .npz; `-` for standard input. Without it INPUT is a mesh of which only bounds are asked
-    #[arg(value_name = "RESULT")]
-    pub(crate) result: Option<FileArgument>,
-
     /// Format of the result [default: by its extension]
     #[arg(long, value_name = "FORMAT", value_parser = format_parser(Format::RESULTS))]
     result_format: Option<Format>,

@@ -71,6 +71,25 @@ impl FileArgument {
     }
 }
 
+/// The name of an input in several files.
+pub(crate) fn input_names(files: &[FileArgument]) -> String {
+    let names: Vec<String> = files.iter().map(FileArgument::input_name).collect();
+    match &names[..] {
+        [first, _, _, ..] => format!("{first} and {} others", names.len() - 1),
+        _ => names.join(" and "),
+    }
+}
+
+/// The format that is given for one of so many inputs: of several, it is that of those whose extension tells none.
+pub(crate) fn given_format(
+    file: &FileArgument,
+    inputs: usize,
+    given: Option<Format>,
+    formats: &[Format],
+) -> Option<Format> {
+    given.filter(|_| inputs == 1 || by_extension(file, formats).is_none())
+}
+
 /// Reads the name of one of these formats that is given by an option.
 pub(crate) fn format_parser(formats: &'static [Format]) -> impl TypedValueParser<Value = Format> {
     PossibleValuesParser::new(names(formats))
@@ -223,7 +242,7 @@ pub(crate) struct FilesRead {
     pub(crate) takes_properties: bool,
     /// Whether the next file is written as it was read, but for heights: nothing of it gets lost, and none is read.
     pub(crate) keeps_text: bool,
-    /// Whether the settings that remarks name can be given.
+    /// Whether the settings that remarks name can be given, beside --no-value.
     has_settings: bool,
     is_strict: bool,
 }
@@ -329,7 +348,8 @@ impl FilesRead {
     ) -> Result<(), Failure> {
         let mut said: Vec<(&Remark, String)> = Vec::new();
         for remark in remarks {
-            let setting = remark.setting().filter(|_| self.has_settings);
+            let setting = remark.setting();
+            let setting = setting.filter(|(option, _)| self.has_settings || *option == "no-value");
             let way_out = setting.map(|(option, does)| format!(" (--{option} {does})"));
             let way_out = way_out.unwrap_or_default();
             let mut others = said.iter_mut();

@@ -1,11 +1,11 @@
 //! The input of a subcommand: a file, or several that are its layers.
 
-use sweep_cdt_formats::{Format, GraphFile, Input};
+use sweep_cdt_formats::{Format, GraphFile, Input, Source};
 
 use super::arguments::InputArgs;
 use super::arithmetic::{as_rationals, refuse_non_finite};
 use super::failure::Failure;
-use super::files::{FileArgument, FilesRead, by_extension, format_parser};
+use super::files::{FileArgument, FilesRead, format_parser, given_format, input_names};
 
 /// Arguments that name the files of an input.
 #[derive(clap::Args)]
@@ -21,22 +21,36 @@ pub(crate) struct LayersArgs {
 }
 
 impl LayersArgs {
+    /// Files that another argument names.
+    pub(crate) fn new(inputs: &[FileArgument], input_format: Option<Format>) -> LayersArgs {
+        LayersArgs {
+            inputs: inputs.to_vec(),
+            input_format,
+        }
+    }
+
     /// The name of the input in messages.
     pub(crate) fn name(&self) -> String {
-        let names: Vec<String> = self.inputs.iter().map(FileArgument::input_name).collect();
-        match &names[..] {
-            [first, _, _, ..] => format!("{first} and {} others", names.len() - 1),
-            _ => names.join(" and "),
-        }
+        input_names(&self.inputs)
     }
 
     /// Reads the input.
     pub(crate) fn read(&self, files: &mut FilesRead) -> Result<Input, Failure> {
+        self.read_shown(files, |_| ())
+    }
+
+    /// Reads the input; `show` is called with each file that is read.
+    pub(crate) fn read_shown(
+        &self,
+        files: &mut FilesRead,
+        mut show: impl FnMut(&Source),
+    ) -> Result<Input, Failure> {
         let columns = std::mem::take(&mut files.columns);
         let classes = std::mem::take(&mut files.classes);
         let input = |file: &FileArgument| {
-            let tells = self.inputs.len() > 1 && by_extension(file, Format::INPUTS).is_some();
-            InputArgs::new(file.clone(), self.input_format.filter(|_| !tells))
+            let count = self.inputs.len();
+            let format = given_format(file, count, self.input_format, Format::INPUTS);
+            InputArgs::new(file.clone(), format)
         };
         let inputs: Vec<InputArgs> = self.inputs.iter().map(input).collect();
         let has_clouds = inputs.iter().any(InputArgs::is_cloud);
@@ -47,7 +61,7 @@ impl LayersArgs {
             if input.is_cloud() || !has_clouds {
                 files.classes.clone_from(&classes);
             }
-            layers.push((input.name(), input.read(files, |_| ())?));
+            layers.push((input.name(), input.read(files, &mut show)?));
         }
         if layers.len() == 1 {
             let (_, input) = layers.remove(0);

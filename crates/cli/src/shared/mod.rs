@@ -13,6 +13,7 @@ pub(crate) mod layers;
 pub(crate) mod missing;
 pub(crate) mod outputs;
 pub(crate) mod places;
+pub(crate) mod raster;
 pub(crate) mod resources;
 pub(crate) mod settings;
 pub(crate) mod splitting;

@@ -22,12 +22,11 @@ impl StreamCommand {
             let message = "bands are files: let OUTPUT be the folder for them";
             return Err(Failure::Usage(message.to_owned()));
         };
-        let read = self.sort.files(&self.input, self.strict);
-        let name = self.input.input_name();
+        let read = self.sort.files(&self.inputs, self.strict);
         let mut sorted = self
             .sort
-            .sorted(&self.input, self.choice(false), |remarks| {
-                read.say(&name, remarks)
+            .sorted(&self.inputs, self.choice(false), |name, remarks| {
+                read.say(name, remarks)
             })?;
         fs::create_dir_all(folder).map_err(|error| Failure::of_file(folder, &error))?;
         let bands = Bands::new(&mut sorted.order, size);

@@ -18,15 +18,15 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use sweep_cdt::Triangulator;
-use sweep_cdt_engine::Remark;
-use sweep_cdt_stream::external::{Bands, Choice, Statistics, Summary, SweepOrder};
+use sweep_cdt_stream::external::{Bands, Choice, Input, Statistics, Summary, SweepOrder};
 use sweep_cdt_stream::{
     Final, Stream, StreamError, StreamStats, StreamVerifier, StreamViolation, settle_all,
 };
 
 use crate::shared::failure::Failure;
-use crate::shared::files::FileArgument;
+use crate::shared::files::{FileArgument, input_names};
 use crate::shared::outputs::{Destination, refuse_read, refuse_twice};
+use crate::shared::raster::say_lost;
 use crate::shared::resources::Progress;
 use crate::shared::terrain::no_heights;
 pub(crate) use join::Join;
@@ -34,7 +34,7 @@ use node::Node;
 pub(crate) use order::SortArgs;
 use order::is_one_place;
 use output::{Format, Triangles};
-use terrain::{Passing, RasterFormat, Terrain, TerrainOutputs};
+use terrain::{Passing, Terrain, TerrainOutputs};
 pub(crate) use verify::verify_stream;
 use writing::Targets;
 
@@ -59,9 +59,10 @@ const STEP: u64 = 1 << 16;
 #[command(after_long_help = AFTER_HELP)]
 pub(crate) struct StreamCommand {
     /// Points and edges: .f64 (doubles, x and y of each point), .ply, .node, .poly, .csv, .xyz or .txt; `-` for standard
-    /// input, which is copied to a temporary file
-    #[arg(value_name = "INPUT")]
-    input: FileArgument,
+    /// input, which is copied to a temporary file. Several are one input, as tiles of a terrain are: their points are
+    /// numbered on through all of them
+    #[arg(value_name = "INPUT", required = true)]
+    inputs: Vec<FileArgument>,
 
     #[command(flatten)]
     sort: SortArgs,
@@ -96,6 +97,10 @@ pub(crate) struct StreamCommand {
     /// The columns of a .csv, .xyz or .txt that are x, y and perhaps z, by their names or their places from 1 on
     #[arg(long, value_name = "X,Y[,Z]", value_delimiter = ',')]
     columns: Vec<String>,
+
+    /// A number that means that there is none, in heights and other columns of points: -9999, for example
+    #[arg(long, value_name = "NUMBER", allow_negative_numbers = true)]
+    no_value: Option<f64>,
 
     /// Of a .las or .laz the points of these classes alone: 2 is the ground. Positions count no others
     #[arg(long = "class", value_name = "CLASS", value_delimiter = ',')]
@@ -156,6 +161,7 @@ Examples:
   sweep-cdt stream points.f64 --edges breaklines.u64 --memory 1GiB -o triangles.u32 --check
   sweep-cdt stream points.f64 --vertices sorted.f64 -o triangles.u32
   sweep-cdt stream tile.ply --contours lines.geojson --every 1 --raster dem.asc --cell 0.5
+  sweep-cdt stream tiles/*.laz --class 2 --raster dem.tif --cell 1
   sweep-cdt stream points.f64 --band 1000000 -o bands
   sweep-cdt verify --stream points.f64 triangles.u32";
 
@@ -175,6 +181,8 @@ struct Outcome {
 enum Trouble {
     Order(sweep_cdt_stream::external::Error),
     Stream(StreamError),
+    /// Two edges cross, each with the name of its file and its number there.
+    Crossing([(String, u64); 2]),
     Violation(StreamViolation),
     Out(io::Error),
     /// Contour lines or the grid cannot be written.
@@ -188,12 +196,11 @@ impl From<StreamError> for Trouble {
 }
 
 impl Trouble {
-    /// The trouble with edges as a file numbers them whose first edge has this number.
-    fn numbered_from(self, first_edge: u64) -> Trouble {
+    /// The trouble with edges as the files of an input number them.
+    fn named(self, input: &dyn Input) -> Trouble {
         match self {
             Trouble::Stream(StreamError::CrossingEdges { edges }) => {
-                let edges = edges.map(|edge| edge + first_edge);
-                Trouble::Stream(StreamError::CrossingEdges { edges })
+                Trouble::Crossing(edges.map(|edge| input.edge(edge)))
             }
             other => other,
         }
@@ -234,9 +241,11 @@ impl StreamCommand {
         }
         let part = destination.as_ref().map(Destination::part).transpose()?;
         let part = part.flatten();
-        let read = self.sort.files(&self.input, self.strict);
+        let read = self.sort.files(&self.inputs, self.strict);
         let node = match (format, &destination) {
-            (Some(Format::Ele), Some(ele)) if vertices.is_none() => Node::beside(ele, &read)?,
+            (Some(Format::Ele), Some(ele)) if vertices.is_none() => {
+                Node::beside(ele, &read, self.inputs.len())?
+            }
             _ => None,
         };
         let has_columns = format == Some(Format::Ply) || node.is_some();
@@ -250,21 +259,16 @@ impl StreamCommand {
         };
         refuse_read(&read, all())?;
         refuse_twice(all())?;
-        let name = self.input.input_name();
-        let sorted = self
-            .sort
-            .sorted(&self.input, self.choice(has_columns), |remarks| {
-                read.say(&name, remarks)
-            })?;
+        let name = self.name();
+        let sorted =
+            self.sort
+                .sorted(&self.inputs, self.choice(has_columns), |name, remarks| {
+                    read.say(name, remarks)
+                })?;
         if self.terrain.is_asked() && !sorted.has_heights {
             return Err(no_heights(&name));
         }
-        if let (Some(system), Some((raster, RasterFormat::Asc))) = (&sorted.system, &terrain.raster)
-        {
-            let what = vec![format!("the coordinate system {}", system.name())];
-            let raster = raster.name.display().to_string();
-            read.say(&raster, &[Remark::NotWritten { what }])?;
-        }
+        say_lost(&read, terrain.raster.as_ref(), sorted.system.as_ref())?;
         let summary = sorted.order.summary();
         if let Some(format) = format {
             format.holds(summary.points)?;
@@ -287,6 +291,11 @@ impl StreamCommand {
         }
     }
 
+    /// The name of the input in messages.
+    fn name(&self) -> String {
+        input_names(&self.inputs)
+    }
+
     /// The parts of the input that are read.
     fn choice(&self, has_columns: bool) -> Choice {
         Choice {
@@ -294,6 +303,7 @@ impl StreamCommand {
             classes: self.classes.clone(),
             heights: self.terrain.is_asked() || has_columns,
             others: has_columns,
+            no_value: self.no_value,
         }
     }
 

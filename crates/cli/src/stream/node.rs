@@ -25,8 +25,12 @@ pub(super) enum Node {
 }
 
 impl Node {
-    /// The one beside a `.ele`, unless that is read.
-    pub(super) fn beside(ele: &Destination, read: &FilesRead) -> Result<Option<Node>, Failure> {
+    /// The one beside a `.ele`, unless it is read as the only one of so many inputs: one of several has not all points.
+    pub(super) fn beside(
+        ele: &Destination,
+        read: &FilesRead,
+        inputs: usize,
+    ) -> Result<Option<Node>, Failure> {
         let path = ele.name.with_extension("node");
         let destination = Destination::of_path(path.clone())?;
         let is_read = destination
@@ -34,6 +38,7 @@ impl Node {
             .as_ref()
             .is_some_and(|node| read.has(node));
         Ok(match (is_read, path.exists()) {
+            (true, _) if inputs > 1 => Some(Node::New(destination)),
             (true, _) => None,
             (false, true) => Some(Node::There(path)),
             (false, false) => Some(Node::New(destination)),
@@ -91,7 +96,12 @@ fn write_points(sorted: &Sorted, out: &mut impl Write) -> io::Result<()> {
     let written = each_point(sorted, |number, [x, y], height, columns| {
         text.clear();
         text.extend_from_slice((number + sorted.first_point).to_string().as_bytes());
-        for value in [x, y].iter().chain(&height).chain(columns) {
+        let (others, marker) = columns.split_at(columns.len() - markers);
+        // A marker that is missing is 0.
+        let marker = marker
+            .iter()
+            .map(|marker| if marker.is_nan() { &0.0 } else { marker });
+        for value in [x, y].iter().chain(&height).chain(others).chain(marker) {
             text.push(b' ');
             value.write_text(&mut text);
         }

@@ -1,4 +1,4 @@
-//! Input of a stream: what is read, with which memory it is sorted, and where its temporary files go.
+//! Input of a stream: which files are read, with which memory it is sorted, and where its temporary files go.
 
 use std::fs::File;
 use std::io;
@@ -8,11 +8,13 @@ use bytesize::ByteSize;
 use sweep_cdt_engine::Remark;
 use sweep_cdt_formats::{CoordinateSystem, ReadError};
 use sweep_cdt_stream::external::{
-    Choice, Error, FORMATS, Format, Input, Sorting, SweepOrder, open_chosen, read_chosen,
+    Choice, Error, FORMATS, Format, Input, Sorting, SweepOrder, chained, open_chosen, read_chosen,
 };
 
 use crate::shared::failure::Failure;
-use crate::shared::files::{FileArgument, FilesRead, format_of_input, format_parser, size};
+use crate::shared::files::{
+    FileArgument, FilesRead, format_of_input, format_parser, given_format, size,
+};
 use crate::shared::resources::Progress;
 
 /// The memory, if it is not given.
@@ -22,6 +24,7 @@ const MEMORY: ByteSize = ByteSize::mib(512);
 #[derive(clap::Args)]
 pub(crate) struct SortArgs {
     /// Edges of points that come without: pairs of whole numbers of 64 bits, little-endian, the positions of both ends
+    /// among the points of all inputs
     #[arg(long, value_name = "FILE")]
     pub(crate) edges: Option<PathBuf>,
 
@@ -34,7 +37,7 @@ pub(crate) struct SortArgs {
     #[arg(long, value_name = "FOLDER")]
     pub(crate) temporary: Option<PathBuf>,
 
-    /// Format of the input, where its extension tells none
+    /// Format of the input; of several inputs, of those whose extension tells none [default: by its extension]
     #[arg(long, value_name = "FORMAT", value_parser = format_parser(FORMATS))]
     pub(crate) stream_format: Option<Format>,
 }
@@ -42,16 +45,16 @@ pub(crate) struct SortArgs {
 /// An input that is sorted.
 pub(super) struct Sorted {
     pub(super) order: SweepOrder,
-    /// The number of the first point in the file, and of the first edge.
+    /// The number of the first point in the first file.
     pub(super) first_point: u64,
-    pub(super) first_edge: u64,
+    /// What was read.
+    pub(super) input: Box<dyn Input>,
     /// Whether the vertices come with heights.
     pub(super) has_heights: bool,
     /// The names of the other columns.
     pub(super) columns: Vec<String>,
     pub(super) system: Option<CoordinateSystem>,
-    from: From,
-    format: Format,
+    files: Vec<(From, Format)>,
     choice: Choice,
 }
 
@@ -63,31 +66,57 @@ enum From {
 }
 
 impl From {
-    fn open(
-        &self,
-        format: Format,
-        edges: Option<&Path>,
-        choice: &Choice,
-    ) -> Result<Box<dyn Input>, ReadError> {
+    fn open(&self, format: Format, choice: &Choice) -> Result<Box<dyn Input>, ReadError> {
         match self {
-            From::Path(path) => open_chosen(path, format, edges, choice),
+            From::Path(path) => open_chosen(path, format, None, choice),
             From::Spooled(file) => {
                 let name = FileArgument::Standard.input_name();
-                read_chosen(&name, file, format, edges, choice)
+                read_chosen(&name, file, format, None, choice)
             }
         }
+    }
+}
+
+/// Opens files as one input. Classes are those of clouds; where there is none, they are refused.
+fn open(
+    files: &[(From, Format)],
+    edges: Option<&Path>,
+    choice: &Choice,
+) -> Result<Box<dyn Input>, ReadError> {
+    let is_cloud = |format: Format| matches!(format, Format::Las | Format::Laz);
+    let has_clouds = files.iter().any(|&(_, format)| is_cloud(format));
+    let without_classes = Choice {
+        classes: Vec::new(),
+        ..choice.clone()
+    };
+    let inputs = files.iter().map(|(from, format)| {
+        let choice = match is_cloud(*format) || !has_clouds {
+            true => choice,
+            false => &without_classes,
+        };
+        from.open(*format, choice)
+    });
+    chained(inputs.collect::<Result<_, _>>()?, edges)
+}
+
+/// The inputs of which one is made, or itself.
+fn inputs(input: &dyn Input) -> Vec<&dyn Input> {
+    match input.inputs() {
+        [] => vec![input],
+        inputs => inputs.iter().map(|input| &**input).collect(),
     }
 }
 
 impl Sorted {
     /// Whether a column of markers is one by its format, so that its numbers are whole.
     pub(super) fn has_markers(&self) -> bool {
-        matches!(self.format, Format::Node | Format::Poly)
+        let mut formats = self.files.iter().map(|&(_, format)| format);
+        formats.all(|format| matches!(format, Format::Node | Format::Poly))
     }
 
     /// The points once more, as the input has them.
     pub(super) fn points(&self) -> Result<Box<dyn Input>, Error> {
-        Ok(self.from.open(self.format, None, &self.choice)?)
+        Ok(open(&self.files, None, &self.choice)?)
     }
 }
 
@@ -117,54 +146,77 @@ impl SortArgs {
     }
 
     /// The files that are read, none of which may be overwritten.
-    pub(super) fn files(&self, input: &FileArgument, is_strict: bool) -> FilesRead {
+    pub(super) fn files(&self, inputs: &[FileArgument], is_strict: bool) -> FilesRead {
         let mut files = FilesRead::in_pieces(is_strict);
-        // The vertices of a `.poly` may be beside it.
-        let node = input.beside("node");
-        let paths = [input.path(), node.as_ref().and_then(FileArgument::path)];
-        if input.is_standard() {
-            files.add_standard();
+        for input in inputs {
+            // The vertices of a `.poly` may be beside it.
+            let node = input.beside("node");
+            let paths = [input.path(), node.as_ref().and_then(FileArgument::path)];
+            if input.is_standard() {
+                files.add_standard();
+            }
+            for path in paths.into_iter().flatten() {
+                files.add(path);
+            }
         }
-        for path in paths.into_iter().flatten().chain(self.edges.as_deref()) {
+        if let Some(path) = &self.edges {
             files.add(path);
         }
         files
     }
 
-    /// The input, of which this was chosen, sorted. `say` gets what is left out of it before, and what is known after that.
+    /// The input in these files, of which this was chosen, sorted. `say` gets the name of each file with what is left out of it
+    /// before, and with what is known after that.
     pub(super) fn sorted(
         &self,
-        input: &FileArgument,
+        arguments: &[FileArgument],
         choice: Choice,
-        say: impl Fn(&[Remark]) -> Result<(), Failure>,
+        say: impl Fn(&str, &[Remark]) -> Result<(), Failure>,
     ) -> Result<Sorted, Failure> {
-        let format = format_of_input(input, "--stream-format", self.stream_format, FORMATS)?;
-        let from = match input.path() {
-            Some(path) => From::Path(path.to_owned()),
-            None => From::Spooled(self.spooled()?),
+        if arguments.iter().filter(|file| file.is_standard()).count() > 1 {
+            let message = "standard input is read once: let one INPUT be `-`";
+            return Err(Failure::Usage(message.to_owned()));
+        }
+        let format = |file| {
+            let given = given_format(file, arguments.len(), self.stream_format, FORMATS);
+            format_of_input(file, "--stream-format", given, FORMATS)
         };
-        let mut opened = from.open(format, self.edges.as_deref(), &choice)?;
-        let said = opened.remarks();
-        say(&said)?;
-        let order = self.order(&mut *opened, &self.folder());
+        let formats: Vec<Format> = arguments.iter().map(format).collect::<Result<_, _>>()?;
+        let mut files = Vec::with_capacity(arguments.len());
+        for (file, format) in arguments.iter().zip(formats) {
+            let from = match file.path() {
+                Some(path) => From::Path(path.to_owned()),
+                None => From::Spooled(self.spooled()?),
+            };
+            files.push((from, format));
+        }
+        let mut input = open(&files, self.edges.as_deref(), &choice)?;
+        let said: Vec<Vec<Remark>> = inputs(&*input)
+            .iter()
+            .map(|input| input.remarks())
+            .collect();
+        for (file, remarks) in arguments.iter().zip(&said) {
+            say(&file.input_name(), remarks)?;
+        }
+        let order = self.order(&mut *input, &self.folder());
         let order = order.map_err(|error| self.failure(&error))?;
-        let mut remarks = opened.remarks();
-        remarks.retain(|remark| !said.contains(remark));
-        say(&remarks)?;
-        let [first_point, first_edge] = opened.first();
+        for ((file, input), said) in arguments.iter().zip(inputs(&*input)).zip(said) {
+            let mut remarks = input.remarks();
+            remarks.retain(|remark| !said.contains(remark));
+            say(&file.input_name(), &remarks)?;
+        }
         Ok(Sorted {
             order,
-            first_point,
-            first_edge,
-            has_heights: opened.heights().is_some(),
-            columns: opened
+            first_point: inputs(&*input)[0].part().first[0],
+            has_heights: input.heights().is_some(),
+            columns: input
                 .columns()
                 .iter()
                 .map(|column| column.name.clone())
                 .collect(),
-            system: opened.system(),
-            from,
-            format,
+            system: input.system(),
+            input,
+            files,
             choice,
         })
     }

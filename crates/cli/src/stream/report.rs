@@ -8,7 +8,7 @@ use sweep_cdt_stream::external::{Statistics, Summary};
 use sweep_cdt_stream::{StreamError, StreamStats};
 
 use super::{Outcome, StreamCommand, Trouble};
-use crate::shared::failure::Failure;
+use crate::shared::failure::{Failure, printable};
 use crate::shared::files::FileArgument;
 use crate::shared::outputs::print;
 
@@ -20,7 +20,7 @@ impl StreamCommand {
         summary: &Summary,
         kept: &str,
     ) -> Result<(), Failure> {
-        let input = self.input.input_name();
+        let input = self.name();
         let stats = match outcome.ended {
             Ok(stats) => stats,
             Err(Trouble::Order(error)) => return Err(self.sort.failure(&error)),
@@ -30,10 +30,6 @@ impl StreamCommand {
                         let bytes = (alive.vertices as u64).saturating_mul(self.bytes());
                         format!(" (--memory {}MiB allows so many)", bytes.div_ceil(1 << 20))
                     }
-                    StreamError::CrossingEdges { .. } => {
-                        " (where memory holds them, `sweep-cdt crossings` lists all that do)"
-                            .to_owned()
-                    }
                     _ => String::new(),
                 };
                 let kept = match error {
@@ -41,6 +37,18 @@ impl StreamCommand {
                     _ => "",
                 };
                 return Err(Failure::Error(format!("{input}: {error}{advice}{kept}")));
+            }
+            Err(Trouble::Crossing([(file, e), (other, g)])) => {
+                let crossing = match file == other {
+                    true => format!("{}: edges {e} and {g} cross", printable(&file)),
+                    false => {
+                        let [file, other] = [file, other].map(|name| printable(&name));
+                        format!("edge {e} of {file} and edge {g} of {other} cross")
+                    }
+                };
+                return Err(Failure::Error(format!(
+                    "{crossing} (where memory holds them, `sweep-cdt crossings` lists all that do)"
+                )));
             }
             Err(Trouble::Violation(violation)) => {
                 return Err(Failure::Error(format!(

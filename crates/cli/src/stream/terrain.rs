@@ -8,12 +8,10 @@ use std::path::{Path, PathBuf};
 
 use num_rational::BigRational;
 use sweep_cdt_engine::Remark;
-use sweep_cdt_formats::{
-    Column, Coordinate, CoordinateSystem, LineWriter, RasterHead, Voids, write_asc,
-};
+use sweep_cdt_formats::{Column, Coordinate, CoordinateSystem, LineWriter, Voids};
 use sweep_cdt_stream::external::{Format, Vertex};
 use sweep_cdt_stream::{Carried, Final};
-use sweep_cdt_terrain::{Contour, Corner, Grid, LevelsError, PassingContours, Raster, levels};
+use sweep_cdt_terrain::{Contour, Corner, LevelsError, PassingContours, Raster, levels};
 
 use super::SortArgs;
 use super::order::Sorted;
@@ -21,6 +19,7 @@ use crate::contours::number;
 use crate::shared::failure::Failure;
 use crate::shared::files::{FileArgument, by_extension};
 use crate::shared::outputs::{Destination, Out};
+use crate::shared::raster::{RasterArgs, RasterFormat, write_raster};
 
 /// Outputs for which the points need heights.
 #[derive(clap::Args)]
@@ -37,40 +36,9 @@ pub(super) struct TerrainOutputs {
     #[arg(long, value_name = "HEIGHT", value_parser = number, requires = "contours", allow_negative_numbers = true)]
     from: Option<BigRational>,
 
-    /// File to write a grid of heights to, those of `sweep-cdt heights` at the centres of its cells: .asc, or .tif in a
-    /// build with the feature `geotiff`
-    #[arg(long, value_name = "FILE", requires = "cell")]
-    raster: Option<PathBuf>,
-
-    /// The size of a cell; cells lie at whole multiples of it
-    #[arg(long, value_name = "SIZE", value_parser = cell, requires = "raster")]
-    cell: Option<f64>,
+    #[command(flatten)]
+    raster: RasterArgs,
 }
-
-/// Reads the size of a cell.
-fn cell(text: &str) -> Result<f64, String> {
-    let size = text.parse().ok();
-    let size = size.filter(|size: &f64| size.is_normal() && *size > 0.0);
-    size.ok_or_else(|| "not a number greater than 0".to_owned())
-}
-
-/// The cells that a grid may have: on disk they take 8 bytes each.
-const CELLS: u128 = 10_000_000_000;
-
-/// How a grid is written.
-#[derive(Clone, Copy)]
-pub(super) enum RasterFormat {
-    Asc,
-    #[cfg(feature = "geotiff")]
-    Tif,
-}
-
-/// The extensions of grids.
-const RASTERS: &[(&str, RasterFormat)] = &[
-    (".asc", RasterFormat::Asc),
-    #[cfg(feature = "geotiff")]
-    (".tif", RasterFormat::Tif),
-];
 
 /// Where contour lines and the grid go.
 #[derive(Default)]
@@ -88,7 +56,7 @@ impl TerrainTargets {
 
 impl TerrainOutputs {
     pub(super) fn is_asked(&self) -> bool {
-        self.contours.is_some() || self.raster.is_some()
+        self.contours.is_some() || self.raster.path().is_some()
     }
 
     /// Where they go; names that tell no format are refused.
@@ -104,22 +72,7 @@ impl TerrainOutputs {
             })?;
             targets.lines = Some((Destination::of(&file)?, format));
         }
-        if let Some(path) = &self.raster {
-            let name = path.display().to_string();
-            let Some((_, format)) = RASTERS.iter().find(|(end, _)| name.ends_with(end)) else {
-                let tiff = match RASTERS.len() {
-                    1 => {
-                        ", or in .tif with a build that has the feature `geotiff` (`cargo install --path crates/cli \
-                         --features geotiff`)"
-                    }
-                    _ => " or .tif",
-                };
-                let message =
-                    format!("{name} is no name for a grid of heights: let it end in .asc{tiff}");
-                return Err(Failure::Usage(message));
-            };
-            targets.raster = Some((Destination::of_path(path.clone())?, *format));
-        }
+        targets.raster = self.raster.target()?;
         if self
             .every
             .as_ref()
@@ -165,29 +118,8 @@ impl TerrainOutputs {
             }
             contours = Some(PassingContours::new(levels, share / size_of::<[f64; 2]>()));
         }
-        let mut raster = None;
-        if let Some(cell) = self.cell {
-            // Without points there is one cell.
-            let intervals = match summary.points {
-                0 => [[0.0, 0.0]; 2],
-                _ => [summary.x, summary.y],
-            };
-            let grid = Grid::covering(cell, intervals).ok_or_else(|| {
-                failure(&"the cells of the grid are too small: choose a larger --cell")
-            })?;
-            let cells = [grid.columns(), grid.rows()].map(|count| count as u128);
-            if let cells = cells[0] * cells[1]
-                && cells > CELLS
-            {
-                return Err(failure(&format!(
-                    "the grid would have {cells} cells, and at most {CELLS} are made: choose a larger --cell"
-                )));
-            }
-            let folder = sort.folder();
-            let file = tempfile::tempfile_in(&folder);
-            let file = file.map_err(|error| Failure::of_file(&folder, &error))?;
-            raster = Some(Raster::new(grid, file, share));
-        }
+        let intervals = [summary.x, summary.y];
+        let raster = self.raster.begin(name, intervals, &sort.folder(), share)?;
         Ok(Some(Terrain {
             vertices: Carried::default(),
             contours,
@@ -205,7 +137,7 @@ impl TerrainOutputs {
 
     /// The name of what could not be written, lines or the grid.
     pub(super) fn name(&self) -> &Path {
-        let names = [&self.contours, &self.raster];
+        let names = [self.contours.as_ref(), self.raster.path()];
         names
             .into_iter()
             .flatten()
@@ -257,36 +189,18 @@ impl Terrain {
         })
     }
 
-    /// Writes the grid. A `GeoTIFF` is made in the folder for temporary files, since its beginning is known last.
-    #[cfg_attr(not(feature = "geotiff"), expect(unused_variables))]
+    /// Writes the grid.
     pub(super) fn write_raster(
         &mut self,
         format: RasterFormat,
         folder: &Path,
         out: &mut Out<'_>,
     ) -> io::Result<()> {
-        let Some(raster) = self.raster.take() else {
-            return Ok(());
-        };
-        let grid = raster.grid();
-        let head = RasterHead {
-            size: [grid.columns(), grid.rows()],
-            corners: grid.corners(),
-            cell: grid.cell(),
-            lowest: self.lowest,
-            system: self.system.clone(),
-        };
-        match format {
-            RasterFormat::Asc => write_asc(&head, |row| raster.each_row(row), out),
-            #[cfg(feature = "geotiff")]
-            RasterFormat::Tif => {
-                let mut file = tempfile::tempfile_in(folder)?;
-                let tiff = io::BufWriter::new(&mut file);
-                sweep_cdt_formats::write_geotiff(&head, |row| raster.each_row(row), tiff)?;
-                io::Seek::rewind(&mut file)?;
-                io::copy(&mut file, out).map(|_| ())
-            }
-        }
+        let head = (self.lowest, self.system.clone());
+        let raster = self.raster.take();
+        raster.map_or(Ok(()), |raster| {
+            write_raster(raster, format, head, folder, out)
+        })
     }
 
     /// The remarks on the heights; the first point has this number.

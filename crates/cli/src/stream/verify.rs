@@ -10,7 +10,7 @@ use super::numbers::Triangles;
 use super::order::{Sorted, is_one_place};
 use super::{STEP, SortArgs, to_usize};
 use crate::shared::failure::Failure;
-use crate::shared::files::FileArgument;
+use crate::shared::files::{FileArgument, input_names};
 use crate::shared::outputs::print;
 use crate::shared::resources::Progress;
 
@@ -45,7 +45,7 @@ impl From<Failure> for Ended {
 pub(crate) fn verify_stream(
     sort: &SortArgs,
     level: Level,
-    (input, choice): (&FileArgument, Choice),
+    (inputs, choice): (&[FileArgument], Choice),
     result: &FileArgument,
 ) -> Result<(), Failure> {
     let Some(path) = result.path() else {
@@ -53,9 +53,9 @@ pub(crate) fn verify_stream(
         return Err(Failure::Usage(message.to_owned()));
     };
     let triangles = Triangles::open(path)?;
-    let Sorted { order, .. } = sort.sorted(input, choice, |_| Ok(()))?;
+    let Sorted { order, .. } = sort.sorted(inputs, choice, |_, _| Ok(()))?;
     let (what, all) = (level.title(), triangles.left());
-    let [input, result] = [input, result].map(FileArgument::input_name);
+    let (input, result) = (input_names(inputs), result.input_name());
     match judged(sort, order, triangles, level) {
         Ok(report) => print(|out| {
             writeln!(out, "correct: {result} is {what} of {input}")?;

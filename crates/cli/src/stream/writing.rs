@@ -45,7 +45,7 @@ impl StreamCommand {
         targets: Targets,
         read: &FilesRead,
     ) -> Result<Outcome, Failure> {
-        let name = self.input.input_name();
+        let name = self.name();
         let summary = sorted.order.summary();
         let first_point = sorted.first_point;
         let first = match targets.vertices {
@@ -142,7 +142,7 @@ impl StreamCommand {
             ended.and_then(|stats| finished.map(|()| stats).map_err(Trouble::Terrain))
         });
         Outcome {
-            ended: ended.map_err(|trouble| trouble.numbered_from(sorted.first_edge)),
+            ended: ended.map_err(|trouble| trouble.named(&*sorted.input)),
             sorting: sorted.order.statistics(),
             sweeping: since.elapsed(),
             written,

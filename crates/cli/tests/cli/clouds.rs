@@ -130,6 +130,53 @@ fn results_of_clouds_are_verified() {
     }
 }
 
+/// All clouds have classes and more, which nobody asked for: a strict run refuses what else gets lost.
+#[test]
+fn strict_runs_take_clouds() {
+    let folder = clouds();
+    let system = (2112, &br#"PROJCS["a", AUTHORITY["EPSG", "25832"]]"#[..]);
+    fs::write(
+        folder.path().join("system.las"),
+        cloud(POINTS.into_iter(), &[system]),
+    )
+    .expect("a file");
+    let mut withheld = cloud(POINTS.into_iter(), &[]);
+    withheld[227 + 15] |= 1 << 7;
+    fs::write(folder.path().join("withheld.las"), withheld).expect("a file");
+    let note = "note: a.las: ignored: 6 classes, and all else that points have beside places and heights\n";
+    for arguments in [
+        "triangulate a.las",
+        "triangulate a.las -o t.obj",
+        "stream a.las -o t.ply",
+        "stream a.las --raster t.asc --cell 1",
+        "contours a.las --every 1 -o t.wkt",
+    ] {
+        let output = ran(&folder, &format!("{arguments} --strict"));
+        assert_eq!(text(&output.stderr), note, "{arguments}");
+        assert_eq!(output.status.code(), Some(0), "{arguments}");
+    }
+    for (arguments, lost) in [
+        ("stream a.las -o t.u32", "a.las: ignored: 6 heights"),
+        (
+            "stream system.las --raster t.asc --cell 1",
+            "t.asc: not written: the coordinate system EPSG:25832",
+        ),
+        (
+            "triangulate withheld.las",
+            "withheld.las: ignored: 1 point that is withheld",
+        ),
+    ] {
+        let output = ran(&folder, &format!("{arguments} --strict"));
+        let refused = format!("error: {lost}; --strict refuses that\n");
+        assert!(
+            text(&output.stderr).ends_with(&refused),
+            "{}",
+            text(&output.stderr)
+        );
+        assert_eq!(output.status.code(), Some(1), "{arguments}");
+    }
+}
+
 #[test]
 fn notes_on_clouds_are_those_of_streams() {
     let folder = clouds();

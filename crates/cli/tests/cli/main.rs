@@ -38,6 +38,7 @@ mod stream_memory;
 mod stream_outputs;
 mod stream_refused;
 mod stream_terrain;
+mod stream_tiles;
 mod stream_verify;
 mod terrain;
 mod texts;

@@ -150,6 +150,81 @@ fn grids_have_the_heights_at_their_centres() {
     }
 }
 
+/// Triangles in memory make the grid of a stream, bit for bit.
+#[test]
+fn grids_in_memory_are_those_of_streams() {
+    let folder = folder(&[
+        ("waves.csv", &waves(3000)),
+        ("at.csv", "x,y\n5,5\n"),
+        ("one.csv", "x,y,z\n3,4,5\n"),
+        (
+            "square.poly",
+            "5 2 1 0\n1 0 0 0\n2 4 0 0\n3 4 4 4\n4 0 4 4\n5 6 2 9\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n",
+        ),
+        (
+            "third.poly",
+            "3 2 1 0\n1 0 0 1\n2 1/3 0 1\n3 0 1 1\n0 0\n0\n",
+        ),
+    ]);
+    fs::copy(CONTOURS, folder.path().join("lines.poly")).expect("a file");
+    let ends = match cfg!(feature = "geotiff") {
+        true => &["asc", "tif"][..],
+        false => &["asc"],
+    };
+    for (inputs, cell) in [
+        ("waves.csv", "1"),
+        ("waves.csv", "0.3"),
+        ("lines.poly", "7"),
+        ("one.csv", "2"),
+        ("waves.csv one.csv", "0.5"),
+    ] {
+        for end in ends {
+            let grid = |arguments: &str| {
+                let grid = format!("--raster a.{end} --cell {cell}");
+                let output = ran(&folder, &format!("{arguments} {grid}"));
+                assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+                let bytes = fs::read(folder.path().join(format!("a.{end}"))).expect("a file");
+                fs::remove_file(folder.path().join(format!("a.{end}"))).expect("a file");
+                bytes
+            };
+            let streamed = grid(&format!("stream {inputs}"));
+            assert!(
+                streamed == grid(&format!("heights {inputs}")),
+                "{inputs} {end}"
+            );
+            let beside = grid(&format!("heights {inputs} --at at.csv -o a.csv"));
+            assert!(streamed == beside, "{inputs} {end}");
+        }
+    }
+    // Outside of what is asked for there are no heights.
+    let inside = "heights square.poly --inside even-odd --raster a.asc --cell 2";
+    assert_eq!(printed(&ran(&folder, inside)), "");
+    let rows = read(&folder, "a.asc");
+    let rows: Vec<&str> = rows.lines().skip(6).collect();
+    assert_eq!(rows, ["3 3 -9999", "1 1 -9999"]);
+    let fraction = ran(&folder, "heights third.poly --raster a.asc --cell 1");
+    assert_fails(
+        &fraction,
+        "third.poly: there are fractions, and a grid is made of doubles",
+    );
+    for (arguments, what) in [
+        ("", "--at <POINTS>"),
+        ("--raster a.asc", "--cell <SIZE>"),
+        ("--raster a.asc --cell 1 -o b.csv", "--at <POINTS>"),
+        ("--raster a.asc --cell 1 --within 3", "--at <POINTS>"),
+        (
+            "--raster one.csv.asc --cell 1 --at at.csv -o one.csv.asc",
+            "the same file",
+        ),
+        ("--raster a.obj --cell 1", "let it end in .asc"),
+    ] {
+        let output = ran(&folder, &format!("heights one.csv {arguments}"));
+        let said = text(&output.stderr);
+        assert!(said.contains(what), "{arguments}: {said}");
+        assert_eq!(output.status.code(), Some(2), "{arguments}: {said}");
+    }
+}
+
 /// What the file says is tested where it is written.
 #[cfg(feature = "geotiff")]
 #[test]
@@ -188,6 +263,47 @@ fn one_place_with_two_heights_has_the_first() {
     let refused = ran(&folder, &format!("{arguments} --strict"));
     let said = "vertex 1 has two numbers for z, 1 and 7: 1 counts; --strict refuses that";
     assert_fails(&refused, &format!("a.node: {said}"));
+}
+
+#[test]
+fn a_number_may_mean_that_there_is_no_height() {
+    let mut rows = waves(500);
+    for at in 0..40 {
+        writeln!(rows, "{at}.25,{at}.75,-9999").expect("room");
+    }
+    let folder = folder(&[
+        ("a.csv", &rows),
+        (
+            "b.node",
+            "3 2 2 1\n1 0 0 7 -1 -1\n2 1 0 -1 3 4\n3 0 1 5 6 -1\n",
+        ),
+    ]);
+    let hint = "note: a.csv: 40 heights are -9999, which often means that there is none (--no-value takes a number for that)\n";
+    let grid = "--raster a.asc --cell 0.5";
+    let hinted = ran(&folder, &format!("stream a.csv {grid}"));
+    assert!(text(&hinted.stderr).contains(hint));
+    let count = "note: a.csv: 40 numbers are -9999 and counted as missing\n";
+    let [streamed, in_memory] = ["stream", "heights"].map(|command| {
+        let output = ran(&folder, &format!("{command} a.csv --no-value -9999 {grid}"));
+        assert!(
+            text(&output.stderr).contains(count),
+            "{}",
+            text(&output.stderr)
+        );
+        assert!(!text(&output.stderr).contains("often means"));
+        read(&folder, "a.asc")
+    });
+    assert!(streamed == in_memory && streamed.contains("NODATA_value -9999\n"));
+    // Markers keep theirs.
+    let output = ran(&folder, "stream b.node --no-value -1 -o t.ele");
+    assert_eq!(
+        text(&output.stderr),
+        "note: b.node: 2 numbers are -1 and counted as missing\n"
+    );
+    let expected = "3 2 2 1\n1 0 0 7 NaN -1\n2 1 0 NaN 3 4\n3 0 1 5 6 -1\n";
+    assert_eq!(read(&folder, "t.node"), expected);
+    let unread = ran(&folder, "stream b.node --no-value -1 -o t.u32");
+    assert!(!text(&unread.stderr).contains("numbers are"));
 }
 
 #[test]
@@ -259,6 +375,14 @@ fn terrain_that_cannot_be_is_refused() {
             "a.obj is no name for contour lines: let it end in .geojson or .wkt",
         ),
         ("--raster a.asc", "--cell"),
+        (
+            "--raster a.asc --raster b.asc --cell 1",
+            "cannot be used multiple times",
+        ),
+        (
+            "--contours a.wkt --contours b.wkt --every 1",
+            "cannot be used multiple times",
+        ),
         ("--raster a.png --cell 1", "let it end in .asc"),
         ("--raster a.asc --cell=-1", "greater than 0"),
         ("--raster a.asc --cell nan", "greater than 0"),

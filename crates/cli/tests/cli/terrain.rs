@@ -320,3 +320,52 @@ fn generated_contour_lines_have_heights() {
         "{summary}"
     );
 }
+
+/// Nothing of the rows gets lost but their order of columns; a map without a system has that of the terrain.
+#[test]
+fn rows_become_features() {
+    let crs = r#""crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::25832"}}"#;
+    let terrain =
+        format!(r#"{{"type":"MultiPoint",{crs},"coordinates":[[0,0,1],[4,0,2],[0,4,3]]}}"#);
+    let rows = "kind;x;old;y;z;kind;note;feature\n07;1;5;1;9;2.50;a \"b\";\n-;0;x;0;;n/a\n8;9;1e3;9;;;\"c;d\";f\n";
+    let folder = folder(&[
+        ("a.geojson", &terrain),
+        ("rows.csv", rows),
+        ("b.xyz", "0 0 7 5\n"),
+    ]);
+    let arguments = "heights a.geojson --at rows.csv --strict -o b.geojson";
+    let output = sweep_cdt(&folder, arguments)
+        .output()
+        .expect("the command starts");
+    assert_eq!(
+        text(&output.stderr),
+        "note: rows.csv: 1 of 3 points have no height: they are on no triangle that has three\n"
+    );
+    let point = |properties: &str, place: &str| {
+        format!(
+            r#"{{"type":"Feature","properties":{{{properties}}},"geometry":{{"type":"Point","coordinates":[{place}]}}}}"#
+        )
+    };
+    let features = [
+        point(
+            r#""kind":"07","old":5,"kind_2":2.50,"note":"a \"b\"","feature_2":null"#,
+            "1,1,1.75",
+        ),
+        point(
+            r#""kind":null,"old":"x","kind_2":null,"note":null,"feature_2":null"#,
+            "0,0,1",
+        ),
+        point(
+            r#""kind":8,"old":1e3,"kind_2":null,"note":"c;d","feature_2":"f""#,
+            "9,9",
+        ),
+    ];
+    let expected = format!(
+        "{{\"type\":\"FeatureCollection\",{crs},\"features\":[\n{}]}}\n",
+        features.join(",\n")
+    );
+    assert_eq!(read(&folder, "b.geojson"), expected);
+    let output = sweep_cdt(&folder, "heights a.geojson --at b.xyz -o c.geojson").output();
+    assert_eq!(output.expect("the command starts").status.code(), Some(0));
+    assert!(read(&folder, "c.geojson").contains(&point(r#""column4":5"#, "0,0,1")));
+}

@@ -250,14 +250,13 @@ impl Cloud {
                 "points that are withheld",
             ));
         }
+        if self.count > 0 && !has_heights {
+            remarks.push(Remark::ignored(count(self.count), "height", "heights"));
+        }
         if self.count > 0 {
-            let what = match has_heights {
-                false => "heights, and all else that points have",
-                true => "classes, and all else that points have beside places and heights",
-            };
-            remarks.push(Remark::Ignored {
+            remarks.push(Remark::Unread {
                 count: count(self.count),
-                what: what.to_owned(),
+                what: "classes, and all else that points have beside places and heights".to_owned(),
             });
         }
         remarks

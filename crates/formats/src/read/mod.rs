@@ -43,6 +43,6 @@ pub use matching::matched::Matched;
 pub use matching::refusal::{Nearest, ResultError, WayOut};
 pub use matching::written::Precision;
 pub use names::{named_columns, named_height};
-pub use raised::raised;
+pub use raised::{properties_of_rows, raised};
 pub use result::{Triangles, added_points, read_result};
 pub use source::{ReadError, ReadErrorKind, Source, quoted, reason};

@@ -1,5 +1,6 @@
 //! A file as it was read, with other heights: features keep their properties, and rows all their fields.
 
+use crate::properties::Properties;
 use crate::read::edited::Edited;
 use crate::read::matching::find;
 use crate::read::shapes::geojson;
@@ -55,4 +56,23 @@ pub fn raised<S: Coordinate>(
         }
         _ => return Ok(None),
     }))
+}
+
+/// The properties of the points of a table, each a feature: the fields of its row but x, y and the height. Numbers stay as they
+/// stand, all else is a text, and `null` stands for what is missing.
+///
+/// ```
+/// use sweep_cdt_formats::{Source, properties_of_rows};
+///
+/// let source = Source::new("trees.csv", "name,x,y,age\noak,1,2,90\nash,3,4,\n");
+/// let properties = properties_of_rows(&source)?;
+/// assert_eq!(properties.of(1), r#""name":"oak","age":90"#);
+/// assert_eq!(properties.of(2), r#""name":"ash","age":null"#);
+/// # Ok::<(), sweep_cdt_formats::ReadError>(())
+/// ```
+///
+/// # Errors
+/// The errors of [`read()`](crate::read()), by which it was read before.
+pub fn properties_of_rows(source: &Source) -> Result<Properties, ReadError> {
+    text::properties(source)
 }

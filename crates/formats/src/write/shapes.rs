@@ -169,7 +169,8 @@ pub(super) fn write_system(
     }
 }
 
-/// Writes the vertices, each as a feature where there are no edges. Otherwise a collection has them, and the edges:
+/// Writes the vertices, each as a feature where there are no edges, with the properties of the feature that is numbered as it
+/// is, from 1. Otherwise a collection has them, and the edges:
 /// polygons by their rings, and lines.
 pub(super) fn write_geojson_graph<S: Coordinate>(
     file: &GraphFile<S>,
@@ -180,9 +181,12 @@ pub(super) fn write_geojson_graph<S: Coordinate>(
     if graph.edges.is_empty() {
         write_system(r#"{"type":"FeatureCollection","#, file.system.as_ref(), out)?;
         out.write_all(br#""features":["#)?;
-        let point =
-            r#"{"type":"Feature","properties":{},"geometry":{"type":"Point","coordinates":"#;
-        positions.write([point, "}}"], graph.points.len(), |v| [v], out)?;
+        let begin = |v: usize, text: &mut Vec<u8>| {
+            text.extend_from_slice(br#"{"type":"Feature","properties":{"#);
+            text.extend_from_slice(file.properties.of(v + 1).as_bytes());
+            text.extend_from_slice(br#"},"geometry":{"type":"Point","coordinates":"#);
+        };
+        positions.write_after(begin, "}}", graph.points.len(), |v| [v], out)?;
         return out.write_all(b"]}\n");
     }
     write_system(

@@ -341,7 +341,7 @@ fn layers_have_one_coordinate_system() {
     let error = whole([none(), utm(), named("EPSG:4326")]).expect_err("two systems");
     assert_eq!(
         error.to_string(),
-        "c: the coordinate system is EPSG:4326, and that of b is EPSG:25832: layers must have the same"
+        "c: the coordinate system is EPSG:4326, and that of b is EPSG:25832: files of one input must have the same"
     );
     // Without a number of the EPSG, members say the same, whatever blanks they have.
     let local = [

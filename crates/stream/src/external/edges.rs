@@ -61,7 +61,7 @@ pub(crate) fn join<P: Located>(task: Task<'_, '_, P>) -> Result<Joined<P>, Error
 
     // Edges as they come: to the run of the first end, or to both ends at once where these are in memory.
     let mut edges = Vec::new();
-    let mut number = 0;
+    let mut number: u64 = 0;
     loop {
         edges.clear();
         input.next_edges(&mut edges)?;
@@ -75,15 +75,17 @@ pub(crate) fn join<P: Located>(task: Task<'_, '_, P>) -> Result<Joined<P>, Error
         {
             by_number(list, 0, list.len(), &mut places)?;
         }
+        let part = input.part();
+        let own = part.points.start..part.points.end.min(summary.points);
         for &ends in &edges {
-            if let Some(&point) = ends.iter().find(|&&end| end >= summary.points) {
-                let [first, first_edge] = input.first();
+            if let Some(&point) = ends.iter().find(|&end| !own.contains(end)) {
+                let [first, first_edge] = part.first;
                 return Err(Error::NoPoint {
                     file: input.name().to_owned(),
-                    edge: number + first_edge,
-                    point: point + first,
+                    edge: number.saturating_sub(part.edges) + first_edge,
+                    point: point.saturating_sub(own.start).saturating_add(first),
                     first,
-                    points: summary.points,
+                    points: own.end.saturating_sub(own.start),
                 });
             }
             let [lower, upper] = [ends[0].min(ends[1]), ends[0].max(ends[1])];

@@ -39,6 +39,8 @@
 //! with the square root of the input: 64 MB suffice for 10^10 points or 10^9 edges, 256 MB for 16 times as many. More
 //! memory makes fewer and longer runs. The edges of one vertex are in memory together, whatever the bound.
 //!
+//! **Tiles.** [`chained`] makes one input of several, whose points are numbered on through all of them.
+//!
 //! **Bands.** For many machines [`Bands`] cuts the order.
 //!
 //! **What can fail.** Every fault of the input and of the disk is an [`Error`]. Temporary files have no names, so nothing
@@ -62,7 +64,7 @@ mod temporary;
 
 pub use bands::Bands;
 pub use error::Error;
-pub use input::{Choice, FORMATS, Input, open, open_chosen, read_chosen};
+pub use input::{Choice, FORMATS, Input, Part, chained, open, open_chosen, read_chosen};
 pub use order::{SweepOrder, Vertex};
 pub use prepare::Sorting;
 pub use summary::{Statistics, Summary};

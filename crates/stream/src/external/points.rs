@@ -8,7 +8,7 @@ use sweep_cdt::threads::beside;
 use sweep_cdt_formats::Coordinate;
 
 use crate::external::error::Error;
-use crate::external::input::Input;
+use crate::external::input::{Input, Part};
 use crate::external::memory::Account;
 use crate::external::record::{Located, Point, Record};
 use crate::external::sorter::{Runs, Sorted, reserve};
@@ -108,9 +108,10 @@ impl Filler {
                 // A height that is missing is NaN.
                 let height = heights.get(at).copied().unwrap_or(f64::NAN);
                 if !(x.is_finite() && y.is_finite()) || height.is_infinite() {
+                    let Part { points, first, .. } = input.part();
                     return Err(Error::NonFinite {
                         file: input.name().to_owned(),
-                        point: self.summary.points + input.first()[0],
+                        point: self.summary.points.saturating_sub(points.start) + first[0],
                     });
                 }
                 let number = self.summary.points;

@@ -8,7 +8,7 @@ use sweep_cdt_formats::ReadError;
 use crate::external::batch::{Maker, PointBatches};
 use crate::external::edges::{self, Joined};
 use crate::external::error::Error;
-use crate::external::input::Input;
+use crate::external::input::{Input, Part};
 use crate::external::memory::Account;
 use crate::external::order::SweepOrder;
 use crate::external::points::{self, Points};
@@ -159,8 +159,8 @@ impl Input for Counted<'_, '_> {
         self.input.name()
     }
 
-    fn first(&self) -> [u64; 2] {
-        self.input.first()
+    fn part(&self) -> Part {
+        self.input.part()
     }
 
     fn next_points(&mut self, points: &mut Vec<[f64; 2]>) -> Result<(), ReadError> {

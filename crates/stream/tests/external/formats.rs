@@ -394,10 +394,7 @@ fn a_format_with_edges_takes_no_others() {
     let error = open(&path, Format::Poly, Some(&path))
         .err()
         .expect("it is refused");
-    let words = format!(
-        "a .poly has edges itself, and {} cannot add any",
-        path.display()
-    );
+    let words = format!("it has edges itself, and {} cannot add any", path.display());
     assert!(error.to_string().ends_with(&words), "{error}");
 }
 

@@ -1,7 +1,8 @@
 //! Sorting in external memory against sorting in memory: `order.rs` for the order, `formats.rs` and `ply.rs` for the readers
-//! of files (`clouds.rs` with the feature `las`), `faults.rs` for what can go wrong, and
+//! of files (`clouds.rs` with the feature `las`), `chained.rs` for several inputs, `faults.rs` for what can go wrong, and
 //! `headers.rs` for files whose headers say too much.
 
+mod chained;
 #[cfg(feature = "las")]
 mod clouds;
 mod faults;
@@ -106,7 +107,7 @@ fn expected(points: &[[f64; 2]], edges: &[[u64; 2]]) -> (Vec<Vertex>, u64) {
 }
 
 /// How many edges have begun and not ended, where these are most.
-fn most_open(vertices: &[(u64, [f64; 2], Vec<(u64, [f64; 2])>)]) -> u64 {
+fn most_open(vertices: &[Vertex]) -> u64 {
     let sides = vertices.iter().flat_map(|(_, _, upper)| upper);
     let mut ends: Vec<[f64; 2]> = sides.map(|&(_, [x, y])| [y, x]).collect();
     ends.sort_by(|a, b| a.partial_cmp(b).expect("no NaN"));

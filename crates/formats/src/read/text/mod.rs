@@ -34,7 +34,7 @@ use crate::read::source::{ReadError, ReadErrorKind, Source, quoted};
 use crate::read::text::rows::{Rows, Separator, text};
 use crate::{Column, CoordinateError, Remark};
 
-pub(super) use raised::raised;
+pub(super) use raised::{properties, raised};
 
 /// The words for a number that is missing.
 const MISSING: [&[u8]; 10] = [

@@ -51,8 +51,8 @@ impl Input for Cloud {
         self.heights.as_deref()
     }
 
-    fn next_edges(&mut self, _edges: &mut Vec<[u64; 2]>) -> Result<(), ReadError> {
-        Ok(())
+    fn has_edges(&self) -> bool {
+        false
     }
 
     fn remarks(&self) -> Vec<Remark> {

@@ -1,9 +1,11 @@
 //! Inputs that are read in pieces, from front to back.
 
+mod chained;
 mod file;
 #[cfg(feature = "las")]
 mod las;
 mod lines;
+mod no_value;
 mod ply;
 mod ply_body;
 mod raw;
@@ -11,10 +13,12 @@ mod text;
 mod triangle;
 
 use std::fs::File;
+use std::ops::Range;
 use std::path::Path;
 
 use sweep_cdt_formats::{Column, CoordinateSystem, Format, ReadError, Remark};
 
+pub use self::chained::chained;
 use self::file::InputFile;
 
 /// Points and edges that come in pieces: a file, or what a program makes.
@@ -22,9 +26,19 @@ pub trait Input {
     /// The name in errors.
     fn name(&self) -> &str;
 
-    /// The numbers of the first point and of the first edge in errors.
-    fn first(&self) -> [u64; 2] {
-        [0, 0]
+    /// The part of the input that is read now: numbers in errors are those of this file.
+    fn part(&self) -> Part {
+        Part::default()
+    }
+
+    /// The name of the file of an edge that has come, and its number there.
+    fn edge(&self, number: u64) -> (String, u64) {
+        (self.name().to_owned(), number + self.part().first[1])
+    }
+
+    /// The inputs that follow each other as this one, if there are several.
+    fn inputs(&self) -> &[Box<dyn Input>] {
+        &[]
     }
 
     /// Appends the next points, x and y of each. If there are none, no more will come.
@@ -44,12 +58,19 @@ pub trait Input {
         &[]
     }
 
+    /// Whether edges may come after the points.
+    fn has_edges(&self) -> bool {
+        true
+    }
+
     /// Appends the next edges, by the numbers of their ends from 0. If there are none, no more will come. All points are
     /// read before the first edge.
     ///
     /// # Errors
     /// The input is wrong there, or cannot be read.
-    fn next_edges(&mut self, edges: &mut Vec<[u64; 2]>) -> Result<(), ReadError>;
+    fn next_edges(&mut self, _edges: &mut Vec<[u64; 2]>) -> Result<(), ReadError> {
+        Ok(())
+    }
 
     /// The remarks on the input: what is left out, and what decides which numbers are points. More may be known when all
     /// points are read.
@@ -70,6 +91,28 @@ pub trait Input {
     /// How many bytes of how many are read.
     fn progress(&self) -> (u64, u64) {
         (0, 0)
+    }
+}
+
+/// The part of an input that is read now: the only file, or one of several.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Part {
+    /// The points of the file, by their numbers in the whole input: edges of the file end at no others. While points come, the end is not known.
+    pub points: Range<u64>,
+    /// The number of its first edge in the whole input.
+    pub edges: u64,
+    /// The numbers of the first point and of the first edge in the file.
+    pub first: [u64; 2],
+}
+
+impl Default for Part {
+    /// All of an input, whose points and edges are numbered from 0.
+    fn default() -> Part {
+        Part {
+            points: 0..u64::MAX,
+            edges: 0,
+            first: [0, 0],
+        }
     }
 }
 
@@ -105,7 +148,7 @@ pub fn open(
 const MOST_COLUMNS: usize = 1 << 12;
 
 /// The parts of a file that are read.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Choice {
     /// Of points as text these columns are x, y and perhaps z, by their names or their places from 1 on, as in
     /// [`Source::columns`](sweep_cdt_formats::Source::columns).
@@ -119,6 +162,8 @@ pub struct Choice {
     /// Whether points come with their other columns, beside heights: properties of `.ply`, attributes and markers of `.node` and `.poly`,
     /// columns of numbers of text.
     pub others: bool,
+    /// A number that means that there is none, in heights and other columns but markers.
+    pub no_value: Option<f64>,
 }
 
 /// Opens a file as [`open`] does, and reads what was chosen.
@@ -134,7 +179,8 @@ pub fn open_chosen(
     // A wrong choice is refused whether the file is there or not.
     format.expect_classes(&path.display().to_string(), &choice.classes)?;
     let node = path.with_extension("node");
-    begin(InputFile::open(path)?, Some(&node), format, edges, choice)
+    let input = begin(InputFile::open(path)?, Some(&node), format, choice)?;
+    with_edges(input, edges)
 }
 
 /// Reads an open file of this name from its beginning, as [`open_chosen`] does. A `.poly` must have its vertices itself.
@@ -150,14 +196,16 @@ pub fn read_chosen(
     choice: &Choice,
 ) -> Result<Box<dyn Input>, ReadError> {
     format.expect_classes(name, &choice.classes)?;
-    begin(InputFile::of(name, file)?, None, format, edges, choice)
+    with_edges(
+        begin(InputFile::of(name, file)?, None, format, choice)?,
+        edges,
+    )
 }
 
 fn begin(
     file: InputFile,
     node: Option<&Path>,
     format: Format,
-    edges: Option<&Path>,
     choice: &Choice,
 ) -> Result<Box<dyn Input>, ReadError> {
     let input: Box<dyn Input> = match format {
@@ -173,17 +221,25 @@ fn begin(
             return Err(file.error(message));
         }
     };
-    let has_edges = matches!(format, Format::Ply | Format::Poly);
-    match edges {
-        None => Ok(input),
-        Some(edges) if has_edges => {
-            let (file, edges) = (input.name(), edges.display());
-            let message = format!(
-                "a .{} has edges itself, and {edges} cannot add any",
-                format.name()
-            );
-            Err(ReadError::of_file(file, message))
-        }
-        Some(edges) => Ok(Box::new(raw::WithEdges::open(input, edges)?)),
+    Ok(match choice.no_value {
+        Some(value) => Box::new(no_value::NoValue::new(input, value)),
+        None => input,
+    })
+}
+
+/// Gives points the edges of a file, if there is one.
+fn with_edges(input: Box<dyn Input>, edges: Option<&Path>) -> Result<Box<dyn Input>, ReadError> {
+    let Some(edges) = edges else {
+        return Ok(input);
+    };
+    let own = match input.inputs() {
+        [] => Some(&input),
+        inputs => inputs.iter().find(|input| input.has_edges()),
+    };
+    if let Some(input) = own.filter(|input| input.has_edges()) {
+        let edges = edges.display();
+        let message = format!("it has edges itself, and {edges} cannot add any");
+        return Err(ReadError::of_file(input.name(), message));
     }
+    Ok(Box::new(raw::WithEdges::open(input, edges)?))
 }

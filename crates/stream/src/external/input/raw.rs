@@ -4,8 +4,8 @@ use std::path::Path;
 
 use sweep_cdt_formats::{Column, CoordinateSystem, ReadError, Remark};
 
-use crate::external::input::Input;
 use crate::external::input::file::{InputFile, PIECE};
+use crate::external::input::{Input, Part};
 
 /// The bytes of a point, and of an edge.
 const PAIR: usize = 16;
@@ -62,8 +62,8 @@ impl Input for Points {
         Ok(())
     }
 
-    fn next_edges(&mut self, _edges: &mut Vec<[u64; 2]>) -> Result<(), ReadError> {
-        Ok(())
+    fn has_edges(&self) -> bool {
+        false
     }
 
     fn progress(&self) -> (u64, u64) {
@@ -98,10 +98,17 @@ impl Input for WithEdges {
     }
 
     /// Edges without a header count all points from 0.
-    fn first(&self) -> [u64; 2] {
+    fn part(&self) -> Part {
         match self.are_points_read {
-            false => self.points.first(),
-            true => [0, 0],
+            false => self.points.part(),
+            true => Part::default(),
+        }
+    }
+
+    fn inputs(&self) -> &[Box<dyn Input>] {
+        match self.points.inputs() {
+            [] => std::slice::from_ref(&self.points),
+            inputs => inputs,
         }
     }
 

@@ -346,8 +346,8 @@ impl Input for Text {
         &self.columns
     }
 
-    fn next_edges(&mut self, _edges: &mut Vec<[u64; 2]>) -> Result<(), ReadError> {
-        Ok(())
+    fn has_edges(&self) -> bool {
+        false
     }
 
     fn remarks(&self) -> Vec<Remark> {

@@ -18,7 +18,7 @@ use sweep_cdt_formats::{Column, ReadError, Remark, quoted};
 
 use crate::external::input::file::InputFile;
 use crate::external::input::lines::{Line, Lines, coordinate};
-use crate::external::input::{Choice, Input, MOST_COLUMNS};
+use crate::external::input::{Choice, Input, MOST_COLUMNS, Part};
 
 /// How many records are read at once.
 const RECORDS: u64 = 1 << 13;
@@ -200,9 +200,12 @@ impl Input for Triangle {
         &self.file().name
     }
 
-    fn first(&self) -> [u64; 2] {
+    fn part(&self) -> Part {
         let first_edge = self.edge.as_ref().map_or(0, |edge| edge.first);
-        [self.vertex.first, first_edge]
+        Part {
+            first: [self.vertex.first, first_edge],
+            ..Part::default()
+        }
     }
 
     fn next_points(&mut self, points: &mut Vec<[f64; 2]>) -> Result<(), ReadError> {
@@ -253,6 +256,10 @@ impl Input for Triangle {
 
     fn columns(&self) -> &[Column] {
         &self.columns[usize::from(self.has_heights)..]
+    }
+
+    fn has_edges(&self) -> bool {
+        self.has_edges
     }
 
     fn next_edges(&mut self, edges: &mut Vec<[u64; 2]>) -> Result<(), ReadError> {
