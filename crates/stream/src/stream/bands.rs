@@ -147,8 +147,8 @@ impl<S: Scalar + Clone, O: FnMut(Final)> Joined<S, O> {
             return Ok(());
         }
         let (stats, out) = (&mut self.stats, &mut self.out);
-        let mut pass_on = |found| {
-            stats.found(&found);
+        let mut pass_on = |found: Final| {
+            found.count(stats);
             out(found);
         };
         let mut windows = settled.len() as u64;
@@ -168,7 +168,8 @@ impl<S: Scalar + Clone, O: FnMut(Final)> Joined<S, O> {
             (alive, self.below) = (alive_now, Some(below));
             windows += 1;
         }
-        stats.after(windows, alive, self.limit)
+        stats.after(windows, alive);
+        StreamError::refuse(alive, self.limit)
     }
 
     fn finish(self) -> Result<StreamStats, StreamError> {

@@ -61,6 +61,16 @@ pub enum StreamError {
     Window(Error),
 }
 
+impl StreamError {
+    /// An error, if more vertices are alive than the limit allows.
+    pub(super) fn refuse(alive: Alive, limit: usize) -> Result<(), StreamError> {
+        match alive.vertices > limit {
+            true => Err(StreamError::TooMuchAlive { alive, limit }),
+            false => Ok(()),
+        }
+    }
+}
+
 impl fmt::Display for StreamError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

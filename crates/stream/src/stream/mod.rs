@@ -319,12 +319,13 @@ impl<'a, S: Scalar + Clone, O: FnMut(Final)> Stream<'a, S, O> {
             .collect();
         let corridors = corridors(&window.points, &swept, &paths);
         let retired = retire::retire(window, &swept, line.as_slice(), corridors, &mut |found| {
-            self.stats.found(&found);
+            found.count(&mut self.stats);
             (self.out)(found);
         });
         let Retired { window, alive, .. } = retired;
         self.window = window;
-        self.stats.after(1, alive, self.limit)
+        self.stats.after(1, alive);
+        StreamError::refuse(alive, self.limit)
     }
 
     fn ended(&self) -> Result<(), StreamError> {

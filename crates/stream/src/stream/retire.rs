@@ -13,7 +13,7 @@
 
 use super::corridor::Corridors;
 use super::finality::Line;
-use super::stats::Alive;
+use super::stats::{Alive, StreamStats};
 use super::swept::Swept;
 use super::window::{Origin, Window, narrow};
 use sweep_cdt::scalar::Scalar;
@@ -41,6 +41,17 @@ pub enum Final {
         /// The first vertex at this place, which stands for both.
         of: u64,
     },
+}
+
+impl Final {
+    /// Counts what is passed on.
+    pub(super) fn count(&self, stats: &mut StreamStats) {
+        match self {
+            Final::Triangle { .. } => stats.triangles += 1,
+            Final::HullSide { .. } => stats.hull_sides += 1,
+            Final::Duplicate { .. } => {}
+        }
+    }
 }
 
 /// What becomes of a triangle.

@@ -1,8 +1,5 @@
 //! What has come and gone in a stream, and what is alive.
 
-use super::error::StreamError;
-use super::retire::Final;
-
 /// Counts of a [`Stream`](super::Stream).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
@@ -40,33 +37,12 @@ pub struct Alive {
 }
 
 impl StreamStats {
-    /// Counts what is passed on.
-    pub(super) fn found(&mut self, found: &Final) {
-        match found {
-            Final::Triangle { .. } => self.triangles += 1,
-            Final::HullSide { .. } => self.hull_sides += 1,
-            Final::Duplicate { .. } => {}
-        }
-    }
-
     /// Counts windows, after which this is alive.
-    ///
-    /// # Errors
-    /// More is alive than the limit allows.
-    pub(super) fn after(
-        &mut self,
-        windows: u64,
-        alive: Alive,
-        limit: usize,
-    ) -> Result<(), StreamError> {
+    pub(super) fn after(&mut self, windows: u64, alive: Alive) {
         self.windows += windows;
         self.alive = alive;
         if alive.vertices > self.most_alive.vertices {
             self.most_alive = alive;
-        }
-        match alive.vertices > limit {
-            true => Err(StreamError::TooMuchAlive { alive, limit }),
-            false => Ok(()),
         }
     }
 }
