@@ -248,7 +248,7 @@ fn bands_that_are_missing_are_named() {
     let all = [0, 1, 2, 3, 4, 5, 6, 7, 8];
     let settled = |chosen: &[usize], limit| {
         let mut bands = rows(&cut, chosen);
-        settle_all(|_| Ok(bands.next()), limit, |_| ()).map(|stats| stats.triangles)
+        settle_all(|_| Ok(bands.next()), Ok, limit, |_| ()).map(|stats| stats.triangles)
     };
     let not_next = |end, next| Err(StreamError::NotNext { end, next });
     assert_eq!(settled(&all, 90), Ok(2 * 8 * 9));
@@ -280,7 +280,7 @@ fn the_lowest_error_is_named() {
                 false => Ok(bands.next()),
             }
         };
-        let settled = settle_all(next, 90, |_| ());
+        let settled = settle_all(next, Ok, 90, |_| ());
         let expected = match cut_at {
             // The third band is never settled.
             3 => StreamError::OtherInput,

@@ -110,7 +110,7 @@ pub fn settled<S: Sample + Clone + Send>(
     Some(collected(&points, &input.edges, |sorted, out| {
         let bands = cut(&points, &input.edges, sorted, most, random, &mut *out)?;
         let mut bands = bands.into_iter();
-        let stats = settle_all(|_| Ok::<_, StreamError>(bands.next()), usize::MAX, out)?;
+        let stats = settle_all(|_| Ok::<_, StreamError>(bands.next()), Ok, usize::MAX, out)?;
         assert_eq!(stats.vertices + stats.duplicates, points.len() as u64);
         let order = |&[u, v]: &[usize; 2]| sweep_order(&points[u], &points[v]);
         let edges = input.edges.iter().filter(|edge| order(edge).is_ne());

@@ -7,6 +7,7 @@ use std::fs;
 use std::io::Write;
 use std::path::Path;
 
+use sweep_cdt_stream::Rest;
 use sweep_cdt_stream::external::Bands;
 
 use super::{StreamCommand, to_usize};
@@ -45,7 +46,8 @@ impl StreamCommand {
             let destination = Destination::of_path(path)?;
             refuse_read(&read, [&destination])?;
             let mut outputs = Outputs::default();
-            outputs.add(destination, |out| out.write_all(&band.to_bytes()))?;
+            let rest = Rest::from(band).to_bytes();
+            outputs.add(destination, move |out| out.write_all(&rest))?;
             outputs.finish()?;
             progress.show(number, to_usize(most));
         }

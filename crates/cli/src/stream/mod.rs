@@ -451,7 +451,10 @@ impl StreamCommand {
         mut triangles: Option<&mut Triangles<'_, '_, '_>>,
         of_edges: usize,
     ) -> Result<StreamStats, Trouble> {
-        let points = to_usize(order.summary().points);
+        let Summary { points, edges, .. } = order.summary();
+        // All bands in memory take as much as four vertices for each vertex of one, and as three for each edge.
+        let weight = to_usize(4 + edges.saturating_mul(3).div_ceil(points.max(1)));
+        let points = to_usize(points);
         let mut bands = Bands::new(order, 1).map_err(Trouble::Order)?;
         let mut progress = Progress::new("sweeping");
         // The closure that gets what is final cannot end the stream.
@@ -459,26 +462,28 @@ impl StreamCommand {
         let most = self.most();
         let next = |alive: usize| -> Result<_, Trouble> {
             trouble.take().map_or(Ok(()), Err)?;
-            // All bands in memory take as much as four vertices for each vertex of one.
-            let room = most.saturating_sub(alive + of_edges) / 4;
-            let size = room.min(BAND.max(SHARE * alive / 4));
+            let room = most.saturating_sub(alive + of_edges);
+            let size = (room / weight).min(BAND.max(SHARE * alive / 4));
             bands.resize(size as u64);
             let band = bands.next_band().map_err(Trouble::Order)?;
-            if let Some(band) = &band {
-                progress.show(to_usize(band.covered().end), points);
-            }
+            progress.show(to_usize(bands.done()), points);
             Ok(band)
         };
-        let stats = settle_all(next, most / 2, |found| {
-            let corners = match found {
-                Final::Triangle { corners, .. } => Some(corners),
-                _ => None,
-            };
-            let mut trouble = trouble.borrow_mut();
-            if let (None, Some(out)) = (&*trouble, &mut triangles) {
-                *trouble = out.found(&found, corners).err().map(Trouble::Out);
-            }
-        })?;
+        let stats = settle_all(
+            next,
+            |band| Ok(band.into()),
+            most / 2,
+            |found| {
+                let corners = match found {
+                    Final::Triangle { corners, .. } => Some(corners),
+                    _ => None,
+                };
+                let mut trouble = trouble.borrow_mut();
+                if let (None, Some(out)) = (&*trouble, &mut triangles) {
+                    *trouble = out.found(&found, corners).err().map(Trouble::Out);
+                }
+            },
+        )?;
         trouble.take().map_or(Ok(stats), Err)
     }
 

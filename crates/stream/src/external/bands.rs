@@ -4,10 +4,32 @@
 //! the sweep line are in memory, with the vertices of one band.
 
 use std::iter::repeat_n;
+use std::mem;
 
 use crate::external::error::Error;
 use crate::external::order::SweepOrder;
 use crate::{Cut, Rest};
+
+/// A band as it was cut: edges have not been looked up among its vertices yet.
+#[derive(Debug)]
+pub struct Band {
+    cut: Cut<f64>,
+    /// The position of its first vertex.
+    first: u64,
+    /// The number and the place of each vertex, and how many equal ones there are.
+    vertices: Vec<(u64, [f64; 2], usize)>,
+    edges: Vec<(u64, [[f64; 2]; 2])>,
+}
+
+impl From<Band> for Rest<f64> {
+    /// The rest of a band: all of it. Of equal vertices the first one stays.
+    fn from(band: Band) -> Rest<f64> {
+        let each = |(number, point, count)| repeat_n((number, point), count);
+        let vertices = band.vertices.into_iter().flat_map(each);
+        let rest = band.cut.band(band.first, vertices, band.edges, |_| ());
+        rest.expect("vertices in order, and edges with ends")
+    }
+}
 
 /// The bands of an order, one after the other, from below.
 #[derive(Debug)]
@@ -71,15 +93,17 @@ impl<'a> Bands<'a> {
         Ok(())
     }
 
-    /// The next band, from which nothing is final yet; `None` after the last. Of equal vertices the first one stays.
+    /// How many vertices the bands have that were cut, equal ones included.
+    #[must_use]
+    pub fn done(&self) -> u64 {
+        self.first
+    }
+
+    /// The next band; `None` after the last.
     ///
     /// # Errors
     /// See [`Error`]: the temporary files cannot be read.
-    ///
-    /// # Panics
-    /// Never: an order is sorted, and its edges end at vertices.
-    pub fn next_band(&mut self) -> Result<Option<Rest<f64>>, Error> {
-        // The number and the place of each vertex, and how many equal ones there are.
+    pub fn next_band(&mut self) -> Result<Option<Band>, Error> {
         let mut vertices: Vec<(u64, [f64; 2], usize)> = Vec::new();
         let first = self.first;
         while let Some((number, point)) = self.next {
@@ -98,13 +122,13 @@ impl<'a> Bands<'a> {
         let Some(&(_, [x, y], _)) = vertices.last() else {
             return Ok(None);
         };
-        let each = |(number, point, count)| repeat_n((number, point), count);
-        let vertices = vertices.into_iter().flat_map(each);
-        let edges = self.open.iter().copied();
-        let band = self.cut.band(first, vertices, edges, |_| ());
-        let band = band.expect("vertices in order, and edges with ends");
-        self.open
-            .retain(|(_, [_, upper])| (upper[1], upper[0]) > (y, x));
-        Ok(Some(band))
+        let goes_on = |(_, [_, upper]): &(u64, [[f64; 2]; 2])| (upper[1], upper[0]) > (y, x);
+        let open = self.open.iter().copied().filter(goes_on).collect();
+        Ok(Some(Band {
+            cut: self.cut.clone(),
+            first,
+            vertices,
+            edges: mem::replace(&mut self.open, open),
+        }))
     }
 }

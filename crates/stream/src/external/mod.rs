@@ -62,7 +62,7 @@ mod sorter;
 mod summary;
 mod temporary;
 
-pub use bands::Bands;
+pub use bands::{Band, Bands};
 pub use error::Error;
 pub use input::{Choice, FORMATS, Input, Part, chained, open, open_chosen, read_chosen};
 pub use order::{SweepOrder, Vertex};

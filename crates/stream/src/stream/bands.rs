@@ -28,35 +28,45 @@ const AT_ONCE: usize = 4;
 
 /// Triangulates all bands of an input, and passes on what is final: as a set what a [`Stream`](crate::Stream) passes on.
 ///
-/// `next` returns the next band, from below, until there are no more. It gets the number of vertices that are alive some
-/// bands below, to which the size of a band may be fitted; four bands are settled at once. Equal vertices are counted, and
-/// were told when their band was made. With the feature `external` (a default) all cores work.
+/// - `next` returns the next band, from below, in any form, until there are no more. It gets the number of vertices that
+///   are alive some bands below, to which the size of a band may be fitted; four bands are settled at once.
+/// - `band` makes a [`Rest`] of it, by [`Cut::band`](crate::Cut::band), on any core. Equal vertices are counted, and not
+///   told.
+/// - `limit`: so many vertices may be alive.
+///
+/// With the feature `external` (a default) all cores work.
 ///
 /// ```
 /// use sweep_cdt_stream::{Cut, Final, StreamError, settle_all};
 ///
 /// let points = [[0, 0], [4, 0], [2, 1], [0, 3], [4, 4]];
 /// let cut = Cut { vertices: 5, between: [0, 4] };
-/// let mut numbered = (0..).zip(points).peekable();
-/// let next = |_| {
-///     let Some(&(first, _)) = numbered.peek() else { return Ok(None) };
-///     cut.band(first, numbered.by_ref().take(2), [], |_| ()).map(Some)
-/// };
+/// let mut cut_off = points.chunks(2).enumerate();
 /// let mut triangles = Vec::new();
-/// let stats = settle_all(next, usize::MAX, |found| {
-///     if let Final::Triangle { corners, .. } = found {
-///         triangles.push(corners);
-///     }
-/// })?;
+/// let stats = settle_all(
+///     |_| Ok::<_, StreamError>(cut_off.next()),
+///     |(at, points)| {
+///         let first = 2 * at as u64;
+///         cut.band(first, (first..).zip(points.iter().copied()), [], |_| ())
+///     },
+///     usize::MAX,
+///     |found| {
+///         if let Final::Triangle { corners, .. } = found {
+///             triangles.push(corners);
+///         }
+///     },
+/// )?;
 /// assert_eq!((stats.vertices, stats.triangles, triangles.len()), (5, 4, 4));
 /// # Ok::<(), StreamError>(())
 /// ```
 ///
 /// # Errors
-/// What `next` returns; [`StreamError`]: the bands do not follow each other, do not begin at the first vertex or do not end
-/// at the last, edges cross, and more than `limit` vertices are alive. What has been passed on before is right.
-pub fn settle_all<S: Scalar + Clone + Send, E: From<StreamError>>(
-    mut next: impl FnMut(usize) -> Result<Option<Rest<S>>, E>,
+/// What `next` returns; [`StreamError`]: what [`Cut::band`](crate::Cut::band) returns, the bands do not follow each other,
+/// do not begin at the first vertex or do not end at the last, edges cross, and more than `limit` vertices are alive. What
+/// has been passed on before is right.
+pub fn settle_all<S: Scalar + Clone + Send, B: Send, E: From<StreamError>>(
+    mut next: impl FnMut(usize) -> Result<Option<B>, E>,
+    band: impl Fn(B) -> Result<Rest<S>, StreamError> + Sync,
     limit: usize,
     out: impl FnMut(Final),
 ) -> Result<StreamStats, E> {
@@ -95,19 +105,30 @@ pub fn settle_all<S: Scalar + Clone + Send, E: From<StreamError>>(
                     cut = joined.cut(&mut next);
                 }
             },
-            &mut || done = on_all_cores(parts.take().unwrap_or_default(), settle),
+            &mut || {
+                let parts = parts.take().unwrap_or_default();
+                done = on_all_cores(parts, |(cut, session)| settle(&band, cut, session));
+            },
         );
         ended?;
         (settled, sessions) = done.into_iter().unzip();
     }
 }
 
-/// What of a band is final, and its rest, with what is alive.
-type Settled<S> = (Vec<Final>, Result<(Rest<S>, Alive), StreamError>);
+/// What of a band is final, and its rest, with the counts of the band and what is alive.
+type Settled<S> = (Vec<Final>, Result<(Rest<S>, [u64; 3], Alive), StreamError>);
 
-fn settle<S: Scalar + Clone>((band, mut session): (Rest<S>, Session)) -> (Settled<S>, Session) {
+fn settle<S: Scalar + Clone, B>(
+    band: &impl Fn(B) -> Result<Rest<S>, StreamError>,
+    cut: B,
+    mut session: Session,
+) -> (Settled<S>, Session) {
     let mut found = Vec::new();
-    let rest = band.settle_counted(&mut session, &mut |each| found.push(each));
+    let rest = band(cut).and_then(|band| {
+        let counts = band.counts();
+        let (rest, alive) = band.settle_counted(&mut session, &mut |each| found.push(each))?;
+        Ok((rest, counts, alive))
+    });
     ((found, rest), session)
 }
 
@@ -123,19 +144,14 @@ struct Joined<S, O> {
 
 impl<S: Scalar + Clone, O: FnMut(Final)> Joined<S, O> {
     /// The bands that are settled next.
-    fn cut<E>(
+    fn cut<B, E>(
         &mut self,
-        next: &mut impl FnMut(usize) -> Result<Option<Rest<S>>, E>,
-    ) -> Result<Vec<Rest<S>>, E> {
+        next: &mut impl FnMut(usize) -> Result<Option<B>, E>,
+    ) -> Result<Vec<B>, E> {
         let mut bands = Vec::new();
         while bands.len() < AT_ONCE
             && let Some(band) = next(self.stats.alive.vertices)?
         {
-            let [vertices, edges] = band.counts();
-            let covered = band.covered();
-            self.stats.vertices += vertices;
-            self.stats.duplicates += covered.end - covered.start - vertices;
-            self.stats.edges += edges;
             bands.push(band);
         }
         Ok(bands)
@@ -153,10 +169,13 @@ impl<S: Scalar + Clone, O: FnMut(Final)> Joined<S, O> {
         };
         let mut windows = settled.len() as u64;
         let is_one = self.below.is_none() && windows == 1;
-        let mut alive = Alive::default();
+        let (mut counts, mut alive) = ([0; 3], Alive::default());
         for (found, rest) in settled {
-            let (rest, alive_here) = rest?;
-            alive = alive_here;
+            let (rest, of_band, alive_there) = rest?;
+            alive = alive_there;
+            for (all, count) in counts.iter_mut().zip(of_band) {
+                *all += count;
+            }
             found.into_iter().for_each(&mut pass_on);
             self.below = Some(match self.below.take() {
                 None => rest,
@@ -168,6 +187,10 @@ impl<S: Scalar + Clone, O: FnMut(Final)> Joined<S, O> {
             (alive, self.below) = (alive_now, Some(below));
             windows += 1;
         }
+        let [vertices, duplicates, edges] = counts;
+        stats.vertices += vertices;
+        stats.duplicates += duplicates;
+        stats.edges += edges;
         stats.after(windows, alive);
         StreamError::refuse(alive, self.limit)
     }

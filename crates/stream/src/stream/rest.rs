@@ -208,11 +208,14 @@ impl<S: Scalar + Clone> Rest<S> {
         ]
     }
 
-    /// How many vertices and edges begin in a band.
-    pub(super) fn counts(&self) -> [u64; 2] {
+    /// Of a band that is not settled how many vertices it has, how many others equal them, and how many edges begin in it.
+    pub(super) fn counts(&self) -> [u64; 3] {
+        let vertices = self.window.points.len() as u64;
         let begins = |open: &&Open<S>| !self.beyond(&open.ends)[0];
         let begun = self.open.values().filter(begins).count();
-        [self.window.points.len(), self.window.edges.len() + begun].map(|n| n as u64)
+        let edges = (self.window.edges.len() + begun) as u64;
+        let covered = self.covered.end - self.covered.start;
+        [vertices, covered - vertices, edges]
     }
 
     /// How many vertices it has.
