@@ -3,8 +3,8 @@
 use sweep_cdt::Pslg;
 use sweep_cdt::scalar::Scalar;
 
+use crate::doubts::{Conflicts, Voids};
 use crate::order::{order, sorted};
-use crate::remark::{Conflicts, Voids};
 use crate::{CoordinateSystem, Layer, Numbering, Polygons, Properties, Remark};
 
 /// A graph, all in the order of its file, and what the file says beyond it.

@@ -25,6 +25,7 @@
 //!
 //! [Triangle]: https://www.cs.cmu.edu/~quake/triangle.html
 
+mod doubts;
 mod order;
 
 mod coordinate;
@@ -44,6 +45,7 @@ mod threads;
 mod write;
 
 pub use coordinate::{Coordinate, CoordinateError, MAX_DIGITS, MAX_EXPONENT, quotient};
+pub use doubts::Voids;
 pub use format::Format;
 pub use graph_file::{Column, Faces, GraphFile, sorted_pairs};
 pub use numbering::{Layer, Numbering};
@@ -57,7 +59,7 @@ pub use read::{
     Source, Triangles, WayOut, added_points, named_columns, named_height, properties_of_rows,
     quoted, raised, read, read_result, reason,
 };
-pub use remark::{NoTriangles, Remark, Voids};
+pub use remark::{NoTriangles, Remark};
 pub use seeds::locate_seeds;
 pub use split::Splitting;
 pub use system::CoordinateSystem;

@@ -7,7 +7,7 @@
 //!
 //! Cost: that of [`split`], and the pieces times the columns.
 
-use crate::remark::Conflicts;
+use crate::doubts::Conflicts;
 use crate::{Column, Coordinate, GraphFile, Remark};
 use sweep_cdt::Pslg;
 use sweep_cdt::crossings::{SplitError, split};
