@@ -2,12 +2,13 @@
 
 use std::fs::File;
 use std::io::Write;
+use std::path::Path;
 
 use num_rational::BigRational;
 use sweep_cdt::crossings::Exact;
 use sweep_cdt_formats::{
-    Column, Coordinate, Format, GraphFile, Input, Remark, Source, not_written, properties_of_rows,
-    raised, write_graph,
+    Column, Coordinate, CoordinateSystem, Format, GraphFile, Input, Remark, Source, not_written,
+    properties_of_rows, raised, write_graph,
 };
 use sweep_cdt_terrain::{Raster, Surface};
 
@@ -57,7 +58,8 @@ pub(crate) struct Heights {
     )]
     output: FileArgument,
 
-    /// Format of standard output, and of an output whose extension tells none [default: that of the points]
+    /// Format of an output whose extension tells none [default for standard output and a name without extension: that of
+    /// the points]
     #[arg(long, value_name = "FORMAT", value_parser = format_parser(Format::GRAPHS), requires = "at")]
     output_format: Option<Format>,
 
@@ -107,7 +109,10 @@ impl Heights {
         let points = InputArgs::new(at.clone(), self.at_format).options("--at-");
         let same = points.format()?;
         let same = Some(same).filter(|same| Format::GRAPHS.contains(same));
-        let format = format_of_output(&self.output, self.output_format.or(same), Format::GRAPHS)?;
+        // An extension that is not known may mean a format that is not written.
+        let tells_none = self.output.path().and_then(Path::extension).is_none();
+        let given = self.output_format.or(same.filter(|_| tells_none));
+        let format = format_of_output(&self.output, given, Format::GRAPHS)?;
         let destination = Destination::of(&self.output)?;
         let terrain = self.read(&mut files)?;
         files.columns.clone_from(&self.at_columns);
@@ -123,6 +128,11 @@ impl Heights {
             format,
             destination,
         };
+        let systems = [
+            (&*self.terrain.name(), system_of(&terrain)),
+            (&*to.name, system_of(&points_read)),
+        ];
+        CoordinateSystem::of_all(systems.into_iter())?;
         match (terrain, points_read) {
             (Input::Doubles(terrain), Input::Doubles(points)) => {
                 self.write(&terrain, Some((points, to)), raster, &files)
@@ -231,6 +241,13 @@ impl Heights {
         outputs.finish()?;
         let off = (missing > 0).then_some(Remark::OffTerrain { missing, places });
         files.say(&name, off.as_slice())
+    }
+}
+
+fn system_of(input: &Input) -> Option<CoordinateSystem> {
+    match input {
+        Input::Doubles(file) => file.system.clone(),
+        Input::Rationals(file) => file.system.clone(),
     }
 }
 

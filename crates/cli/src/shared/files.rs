@@ -121,6 +121,13 @@ pub(crate) fn format_of_input(
                 ));
             }
             let known = names(formats).join(", ");
+            let format = by_extension(file, Format::INPUTS).filter(|_| option == "--stream-format");
+            if let Some(format) = format {
+                let format = format.name();
+                return Failure::Usage(format!(
+                    "{name}: a stream reads no .{format}, but {known}. In memory `sweep-cdt contours` and `heights` read it"
+                ));
+            }
             Failure::Usage(format!(
                 "the format of {name} is not known: add {option} with one of {known}"
             ))

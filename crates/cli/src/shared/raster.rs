@@ -113,12 +113,21 @@ pub(crate) fn say_lost(
     target: Option<&(Destination, RasterFormat)>,
     system: Option<&CoordinateSystem>,
 ) -> Result<(), Failure> {
-    let (Some(system), Some((raster, RasterFormat::Asc))) = (system, target) else {
-        return Ok(());
-    };
+    match (system, target) {
+        (Some(system), Some((raster, RasterFormat::Asc))) => say_system_lost(files, raster, system),
+        _ => Ok(()),
+    }
+}
+
+/// Says that an output has no room for a coordinate system.
+pub(crate) fn say_system_lost(
+    files: &FilesRead,
+    output: &Destination,
+    system: &CoordinateSystem,
+) -> Result<(), Failure> {
     let what = vec![format!("the coordinate system {}", system.name())];
-    let raster = raster.name.display().to_string();
-    files.say(&raster, &[Remark::NotWritten { what }])
+    let name = output.name.display().to_string();
+    files.say(&name, &[Remark::NotWritten { what }])
 }
 
 /// Writes a grid, in which no height is lower than `lowest`. A `GeoTIFF` is made in a folder for temporary files, since its

@@ -43,6 +43,11 @@ pub(crate) trait Work<S> {
     fn run(self, surface: &Surface<'_, S>) -> Result<Self::Done, Failure>;
 }
 
+/// The refusal of an input without points.
+pub(crate) fn no_points(name: &str) -> Failure {
+    Failure::Error(format!("{name}: there are no points"))
+}
+
 /// The refusal of an input without heights.
 pub(crate) fn no_heights(name: &str) -> Failure {
     Failure::Error(format!(
@@ -84,7 +89,10 @@ impl TerrainArgs {
     ) -> Result<W::Done, Failure> {
         let name = self.name();
         if file.heights().is_none() {
-            return Err(no_heights(&name));
+            return Err(match file.graph.points.is_empty() {
+                true => no_points(&name),
+                false => no_heights(&name),
+            });
         }
         self.triangulated(file, files, |file, domain| {
             let heights = file.heights().map_or(&[][..], |column| &column.values);

@@ -24,8 +24,8 @@ use sweep_cdt_stream::{StreamError, StreamStats, StreamViolation};
 use crate::shared::failure::Failure;
 use crate::shared::files::{FileArgument, input_names};
 use crate::shared::outputs::{Destination, refuse_read, refuse_twice};
-use crate::shared::raster::say_lost;
-use crate::shared::terrain::no_heights;
+use crate::shared::raster::{say_lost, say_system_lost};
+use crate::shared::terrain::{no_heights, no_points};
 pub(crate) use join::Join;
 use node::Node;
 pub(crate) use order::SortArgs;
@@ -251,10 +251,18 @@ impl StreamCommand {
                 .sorted(&self.inputs, self.choice(has_columns), |name, remarks| {
                     read.say(name, remarks)
                 })?;
+        if self.terrain.is_asked() && sorted.order.summary().points == 0 {
+            return Err(no_points(&name));
+        }
         if self.terrain.is_asked() && !sorted.has_heights {
             return Err(no_heights(&name));
         }
         say_lost(&read, terrain.raster.as_ref(), sorted.system.as_ref())?;
+        if let (Some(system), Some(Format::Ele | Format::Ply)) = (&sorted.system, format)
+            && let Some(destination) = &destination
+        {
+            say_system_lost(&read, destination, system)?;
+        }
         let summary = sorted.order.summary();
         if let Some(format) = format {
             format.holds(summary.points)?;
@@ -290,6 +298,7 @@ impl StreamCommand {
             heights: self.terrain.is_asked() || has_columns,
             others: has_columns,
             no_value: self.no_value,
+            ..Choice::default()
         }
     }
 }

@@ -85,6 +85,10 @@ fn open(
 ) -> Result<Box<dyn Input>, ReadError> {
     let is_cloud = |format: Format| matches!(format, Format::Las | Format::Laz);
     let has_clouds = files.iter().any(|&(_, format)| is_cloud(format));
+    let choice = &Choice {
+        may_lack_classes: files.len() > 1,
+        ..choice.clone()
+    };
     let without_classes = Choice {
         classes: Vec::new(),
         ..choice.clone()

@@ -336,3 +336,85 @@ fn systems_of_clouds_go_along() {
         assert_eq!(text(&output.stderr).contains(lost), number.is_some());
     }
 }
+
+/// A tile of water alone does not end a run over many.
+#[test]
+fn a_tile_without_points_of_the_class_is_left_out() {
+    let folder = clouds();
+    let water = [[0, 0, 0, 9], [9000, 9000, 0, 9]];
+    for (name, points) in [("water.las", &water[..]), ("empty.las", &[])] {
+        let bytes = cloud(points.iter().copied(), &[]);
+        fs::write(folder.path().join(name), bytes).expect("a file");
+    }
+    let grid = |tiles: &str| {
+        let arguments = format!("stream {tiles} --class 2 --raster r.asc --cell 0.25");
+        ran(&folder, &arguments)
+    };
+    for tiles in ["a.las", "water.las a.las empty.las"] {
+        let made = grid(tiles);
+        assert_eq!(made.status.code(), Some(0), "{}", text(&made.stderr));
+        fs::rename(folder.path().join("r.asc"), folder.path().join(&tiles[..1])).expect("a grid");
+    }
+    let [alone, among] = ["a", "w"].map(|name| fs::read(folder.path().join(name)).expect("a grid"));
+    assert_eq!(alone, among);
+    let said = grid("water.las a.las");
+    assert!(
+        text(&said.stderr).contains("water.las: 0 of 2 points are of the classes that were chosen"),
+        "{}",
+        text(&said.stderr)
+    );
+    for (tiles, why) in [
+        (
+            "water.las",
+            "water.las: no point is of class 2: 2 are of class 9",
+        ),
+        (
+            "water.las empty.las",
+            "water.las and empty.las: there are no points",
+        ),
+        ("empty.las", "empty.las: there are no points"),
+    ] {
+        let made = grid(tiles);
+        assert!(
+            text(&made.stderr).ends_with(&format!("error: {why}\n")),
+            "{}",
+            text(&made.stderr)
+        );
+        assert_eq!(made.status.code(), Some(1));
+    }
+    let made = ran(&folder, "contours empty.las --every 1");
+    assert_eq!(
+        text(&made.stderr),
+        "error: empty.las: there are no points\n"
+    );
+}
+
+/// No result names the system of one file for the places of another, or none without a word.
+#[test]
+fn systems_that_differ_or_get_lost_are_said() {
+    let folder = clouds();
+    let of = |text: &'static [u8]| [(2112_u16, text)];
+    let points = [[0, 0, 0, 2], [9000, 0, 9000, 2], [0, 9000, 3000, 2]];
+    for (name, record) in [
+        ("n.las", of(br#"PROJCS["a", AUTHORITY["EPSG", "25832"]]"#)),
+        ("e.las", of(br#"PROJCS["ETRS_1989_UTM_Zone_32N"]"#)),
+    ] {
+        let bytes = cloud(points.into_iter(), &record);
+        fs::write(folder.path().join(name), bytes).expect("a file");
+    }
+    let places = r#"{"type":"Feature","properties":null,"crs":{"type":"name","properties":{"name":"EPSG:25833"}},
+        "geometry":{"type":"Point","coordinates":[1,1]}}"#;
+    fs::write(folder.path().join("p.geojson"), places).expect("a file");
+    let made = ran(&folder, "heights n.las --at p.geojson -o h.geojson");
+    let why = "error: p.geojson: the coordinate system is EPSG:25833, and that of n.las is EPSG:25832: files of one input must \
+               have the same\n";
+    assert!(text(&made.stderr).ends_with(why), "{}", text(&made.stderr));
+    let why = "t.ply: not written: the coordinate system EPSG:25832\n";
+    let made = ran(&folder, "stream n.las -o t.ply");
+    assert!(text(&made.stderr).ends_with(why), "{}", text(&made.stderr));
+    let why = "e.las: ignored: 1 coordinate system, which has no number of the EPSG\n";
+    for command in ["stream e.las -o t.ply", "triangulate e.las -o t.obj"] {
+        let made = ran(&folder, command);
+        assert!(text(&made.stderr).contains(why), "{}", text(&made.stderr));
+    }
+}

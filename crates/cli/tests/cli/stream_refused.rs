@@ -250,11 +250,11 @@ fn wrong_usage_says_what_to_do() {
         (
             "stream a.json -o t.u32",
             if cfg!(feature = "las") {
-                "the format of a.json is not known: add --stream-format with one of f64, ply, node, \
-                 poly, csv, xyz, txt, las, laz"
+                "a.json: a stream reads no .json, but f64, ply, node, poly, csv, xyz, txt, las, laz. In memory \
+                 `sweep-cdt contours` and `heights` read it"
             } else {
-                "the format of a.json is not known: add --stream-format with one of f64, ply, node, \
-                 poly, csv, xyz, txt"
+                "a.json: a stream reads no .json, but f64, ply, node, poly, csv, xyz, txt. In memory `sweep-cdt contours` \
+                 and `heights` read it"
             },
         ),
         (

@@ -213,7 +213,7 @@ fn grids_in_memory_are_those_of_streams() {
         ("--raster a.asc --cell 1 -o b.csv", "--at <POINTS>"),
         ("--raster a.asc --cell 1 --within 3", "--at <POINTS>"),
         (
-            "--raster one.csv.asc --cell 1 --at at.csv -o one.csv.asc",
+            "--raster r.asc --cell 1 --at at.csv -o r.asc --output-format csv",
             "the same file",
         ),
         ("--raster a.obj --cell 1", "let it end in .asc"),

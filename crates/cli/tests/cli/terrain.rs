@@ -3,6 +3,7 @@
 use std::fs;
 
 use crate::outputs::{assert_refused, read};
+use crate::stream::ran;
 use crate::{CONTOURS, assert_fails, folder, names, printed, run, sweep_cdt, text};
 
 /// A pyramid, whose top is 10 high, numbered from 1.
@@ -368,4 +369,32 @@ fn rows_become_features() {
     let output = sweep_cdt(&folder, "heights a.geojson --at b.xyz -o c.geojson").output();
     assert_eq!(output.expect("the command starts").status.code(), Some(0));
     assert!(read(&folder, "c.geojson").contains(&point(r#""column4":5"#, "0,0,1")));
+}
+
+/// An extension that is not known may mean another format, and a stream reads less than memory.
+#[test]
+fn formats_of_names_are_not_guessed() {
+    let folder = folder(&[
+        ("t.csv", "x,y,z\n0,0,1\n1,0,1\n0,1,1\n"),
+        ("l.geojson", "{}"),
+    ]);
+    for (arguments, why) in [
+        (
+            "heights t.csv --at t.csv -o x.tif",
+            "the format of x.tif is not known: add --output-format with one of ",
+        ),
+        (
+            "stream l.geojson -o t.u32",
+            "l.geojson: a stream reads no .geojson, but f64, ",
+        ),
+    ] {
+        let made = ran(&folder, arguments);
+        assert!(
+            text(&made.stderr).starts_with(&format!("error: {why}")),
+            "{}",
+            text(&made.stderr)
+        );
+        assert_eq!(made.status.code(), Some(2));
+    }
+    printed(&ran(&folder, "heights t.csv --at t.csv -o heights"));
 }

@@ -51,6 +51,8 @@ pub struct Cloud {
     points: PointData,
     /// The classes of the points that come, if they were chosen.
     classes: Vec<u8>,
+    /// Whether there need be none of these classes.
+    may_lack: bool,
     /// How many points were read of each class, and how many that are withheld.
     counts: [usize; 256],
     withheld: usize,
@@ -94,6 +96,7 @@ impl Cloud {
             reader,
             points,
             classes: classes.to_vec(),
+            may_lack: false,
             counts: [0; 256],
             withheld: 0,
             length,
@@ -101,6 +104,13 @@ impl Cloud {
             read: 0,
             count,
         })
+    }
+
+    /// A file without any point of a chosen class is no error, and has none: one of several.
+    #[must_use]
+    pub fn that_may_lack_them(mut self) -> Cloud {
+        self.may_lack = true;
+        self
     }
 
     /// Appends x, y and z of the next points, and returns how many these are. If there are none, no more will come.
@@ -115,7 +125,8 @@ impl Cloud {
             self.read_some(places)?;
         }
         let come = places.len() - before;
-        if come == 0 && self.count > 0 && !self.classes.is_empty() && self.kept() == 0 {
+        let is_chosen = self.count > 0 && !self.classes.is_empty();
+        if come == 0 && is_chosen && self.kept() == 0 && !self.may_lack {
             return Err(ReadError::of_file(&self.name, self.none_is_chosen()));
         }
         Ok(come)
@@ -229,6 +240,12 @@ impl Cloud {
                     format!("that the scale of {axis} is 0, so that all points have one {axis}");
                 remarks.push(Remark::Promise { what });
             }
+        }
+        let has_system =
+            header.get_wkt_crs_bytes().is_some() || matches!(header.get_geotiff_crs(), Ok(Some(_)));
+        if has_system && self.system().is_none() {
+            let what = "coordinate system, which has no number of the EPSG";
+            remarks.push(Remark::ignored(1, what, ""));
         }
         let count = |points| usize::try_from(points).unwrap_or(usize::MAX);
         let is_read = self.count > 0 && self.read == self.count;

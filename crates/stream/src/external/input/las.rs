@@ -19,8 +19,12 @@ pub(super) struct Cloud {
 impl Cloud {
     pub(super) fn new(file: InputFile, choice: &Choice) -> Result<Cloud, ReadError> {
         let read = BufReader::new(file.handle()?);
+        let mut points = Points::open(&file.name, read, file.length, &choice.classes)?;
+        if choice.may_lack_classes {
+            points = points.that_may_lack_them();
+        }
         Ok(Cloud {
-            points: Points::open(&file.name, read, file.length, &choice.classes)?,
+            points,
             file,
             places: Vec::new(),
             heights: choice.heights.then(Vec::new),

@@ -156,6 +156,8 @@ pub struct Choice {
     /// Of a `.las` or `.laz` the points of these classes alone, which are then numbered as if there were no others; all
     /// points, if it is empty.
     pub classes: Vec<u8>,
+    /// Whether a cloud need have no point of these classes, as one of several tiles.
+    pub may_lack_classes: bool,
     /// Whether points come with their heights, if they have any: z of `.ply`, `.las` and text, the first attribute of
     /// `.node` and `.poly`.
     pub heights: bool,
