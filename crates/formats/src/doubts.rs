@@ -25,7 +25,7 @@ impl Conflicts {
         self.first.get_or_insert((vertex, values));
     }
 
-    /// What is to say about a column of this name.
+    /// The remark on a column of this name.
     pub(crate) fn remark(self, column: &str) -> Option<Remark> {
         let (vertex, values) = self.first?;
         Some(Remark::Conflict {
