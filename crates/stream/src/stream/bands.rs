@@ -28,8 +28,8 @@ const AT_ONCE: usize = 4;
 
 /// Triangulates all bands of an input, and passes on what is final: as a set what a [`Stream`](crate::Stream) passes on.
 ///
-/// - `next` returns the next band, from below, in any form, until there are no more. The closure gets the number of vertices that
-///   are alive some bands below, to which the size of a band may be fitted; four bands are settled at once.
+/// - `next` returns the next band, from below, in any form, until there are no more. The closure gets the number of
+///   vertices that are alive some bands below, to which the size of a band may be fitted; four bands are settled at once.
 /// - `band` makes a [`Rest`] of it, by [`Cut::band`](crate::Cut::band), on any core. Equal vertices are counted, and not
 ///   told.
 /// - `limit`: so many vertices may be alive.
