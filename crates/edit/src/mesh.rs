@@ -233,7 +233,7 @@ impl Mesh {
     /// One that came and went is neither.
     pub(crate) fn read(&mut self) -> [Vec<u128>; 2] {
         let (mut gone, mut new) = (Vec::new(), Vec::new());
-        let journal = std::mem::take(&mut self.journal);
+        let mut journal = std::mem::take(&mut self.journal);
         self.is_read.resize(self.triangles.len(), false);
         for before in &journal {
             let (t, vertices) = match *before {
@@ -247,11 +247,13 @@ impl Mesh {
                 new.extend(self.triangle(t).map(packed));
             }
         }
-        for before in journal {
+        for before in journal.drain(..) {
             if let Before::Born(t) | Before::Died(t, _) = before {
                 self.is_read[t as usize] = false;
             }
         }
+        // The next edit uses the memory again.
+        self.journal = journal;
         // Some of a region come back as they were.
         gone.sort_unstable();
         new.sort_unstable();

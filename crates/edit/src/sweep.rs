@@ -1,5 +1,5 @@
 //! A region of triangles is swept anew: the operation behind every edit but a vertex that comes into a closed
-//! [region](crate::star).
+//! [region](crate::star), and an edge that pierces one [side](crate::walk).
 //!
 //! **Why it is right.** Declaring a side of the canonical triangulation an edge changes nothing: the circle of every
 //! triangle stays empty, and the rule for ties looks at the corners of one circle alone. Edges are the only way in which

@@ -113,7 +113,7 @@ impl<S: Scalar + Clone> DynamicTriangulation<S> {
     /// What the last edit changed, region by region: the vertices of a region, with its border and the parts of edges in
     /// it as edges, and the numbers of these vertices. The steps of an edit are the steps of these sweeps
     /// (`sweep_cdt::trace`); of a vertex that comes into a closed region the sweep is left out, as it would make the star
-    /// of the vertex. Empty after an edit that was refused.
+    /// of the vertex, and of an edge that comes alone and pierces one side, as it leaves no choice. Empty after an edit that was refused.
     ///
     /// ```
     /// let mut square = sweep_cdt_edit::DynamicTriangulation::new();

@@ -1,9 +1,12 @@
 //! The way along an edge, from vertex to vertex: a side that lies on it, or the triangles that it pierces (figure 12).
 //! Cost: the triangles at each vertex on the edge, and those that are pierced.
+//!
+//! A part that pierces one side alone takes its place at once, without a sweep, where the edge comes alone: four vertices with
+//! an edge along one diagonal have one triangulation, so there is nothing to choose.
 
 use sweep_cdt::scalar::{Scalar, orient2d};
 
-use crate::mesh::{NONE, next, prev};
+use crate::mesh::{NONE, next, prev, side_of};
 use crate::region::Piece;
 use crate::triangulation::DynamicTriangulation;
 
@@ -72,6 +75,45 @@ impl<S: Scalar + Clone> DynamicTriangulation<S> {
             v = w;
         }
         pieces
+    }
+
+    /// Whether an edge to vertex `end` that pierces this side from the corner opposite comes to a vertex next, and no edge
+    /// covers the side.
+    fn is_only_side(&self, side: u32, end: u32) -> bool {
+        let opposite = self.mesh.apex(self.mesh.twin(side));
+        let [a, b, c] = [self.mesh.apex(side), end, opposite].map(|v| self.points.place(v));
+        self.mesh.covers(side) == 0 && (opposite == end || orient2d(a, b, c).is_eq())
+    }
+
+    /// Puts the side between the corners opposite a side in its place, and returns it.
+    fn exchange(&mut self, side: u32) -> u32 {
+        let across = self.mesh.twin(side);
+        let [p, q] = self.mesh.ends(side);
+        let [v, w] = [side, across].map(|side| self.mesh.apex(side));
+        let border = [prev(side), next(across), prev(across), next(side)];
+        let border = border.map(|side| [self.mesh.twin(side), self.mesh.covers(side)]);
+        for side in [side, across] {
+            self.mesh.kill(side / 3);
+        }
+        let [a, b] = [[v, p, w], [w, q, v]].map(|triangle| self.mesh.add(triangle));
+        let sides = [side_of(a, 2), side_of(a, 0), side_of(b, 2), side_of(b, 0)];
+        for (side, [across, covers]) in sides.into_iter().zip(border) {
+            self.mesh.begin(side, across, covers);
+            if across != NONE {
+                self.mesh.set_twin(across, side);
+            }
+        }
+        let [here, there] = [a, b].map(|t| side_of(t, 1));
+        self.mesh.begin(here, there, 0);
+        self.mesh.begin(there, here, 0);
+        for (vertex, corner) in [(v, sides[1]), (p, here), (w, sides[0]), (q, there)] {
+            self.mesh.set_at(vertex, corner);
+        }
+        self.last = a;
+        self.swept.extend([a, b]);
+        let edges = vec![[0, 1], [1, 2], [2, 3], [3, 0], [0, 2]];
+        self.sweeps.push((vec![v, p, w, q], edges));
+        there
     }
 
     /// Follows an edge from vertex `v` through a side, to the next vertex on it.

@@ -43,16 +43,14 @@ pub(crate) trait Work<S> {
     fn run(self, surface: &Surface<'_, S>) -> Result<Self::Done, Failure>;
 }
 
-/// The refusal of an input without points.
-pub(crate) fn no_points(name: &str) -> Failure {
-    Failure::Error(format!("{name}: there are no points"))
-}
-
-/// The refusal of an input without heights.
-pub(crate) fn no_heights(name: &str) -> Failure {
-    Failure::Error(format!(
-        "{name}: the vertices have no heights: a third coordinate, the column z, the first attribute of a .node or .poly, or the property of a .geojson or column of a .csv that --height-property names"
-    ))
+/// The refusal of an input without heights, or without points.
+pub(crate) fn no_heights(name: &str, has_points: bool) -> Failure {
+    Failure::Error(match has_points {
+        true => format!(
+            "{name}: the vertices have no heights: a third coordinate, the column z, the first attribute of a .node or .poly, or the property of a .geojson or column of a .csv that --height-property names"
+        ),
+        false => format!("{name}: there are no points"),
+    })
 }
 
 impl TerrainArgs {
@@ -89,10 +87,7 @@ impl TerrainArgs {
     ) -> Result<W::Done, Failure> {
         let name = self.name();
         if file.heights().is_none() {
-            return Err(match file.graph.points.is_empty() {
-                true => no_points(&name),
-                false => no_heights(&name),
-            });
+            return Err(no_heights(&name, !file.graph.points.is_empty()));
         }
         self.triangulated(file, files, |file, domain| {
             let heights = file.heights().map_or(&[][..], |column| &column.values);

@@ -25,7 +25,7 @@ use crate::shared::failure::Failure;
 use crate::shared::files::{FileArgument, input_names};
 use crate::shared::outputs::{Destination, refuse_read, refuse_twice};
 use crate::shared::raster::{say_lost, say_system_lost};
-use crate::shared::terrain::{no_heights, no_points};
+use crate::shared::terrain::no_heights;
 pub(crate) use join::Join;
 use node::Node;
 pub(crate) use order::SortArgs;
@@ -44,9 +44,9 @@ const STEP: u64 = 1 << 16;
 #[derive(clap::Args)]
 #[command(after_long_help = AFTER_HELP)]
 pub(crate) struct StreamCommand {
-    /// Points and edges: .f64 (doubles, x and y of each point), .ply, .node, .poly, .csv, .xyz or .txt; `-` for standard
-    /// input, which is copied to a temporary file. Several are one input, as tiles of a terrain are: their points are
-    /// numbered on through all of them
+    /// Points and edges: .f64 (doubles, x and y of each point), .ply, .node, .poly, .csv, .xyz or .txt, or .las and .laz in
+    /// a build with the feature `las`; `-` for standard input, which is copied to a temporary file. Several are one input,
+    /// as tiles of a terrain are: their points are numbered on through all of them
     #[arg(value_name = "INPUT", required = true)]
     inputs: Vec<FileArgument>,
 
@@ -251,11 +251,9 @@ impl StreamCommand {
                 .sorted(&self.inputs, self.choice(has_columns), |name, remarks| {
                     read.say(name, remarks)
                 })?;
-        if self.terrain.is_asked() && sorted.order.summary().points == 0 {
-            return Err(no_points(&name));
-        }
-        if self.terrain.is_asked() && !sorted.has_heights {
-            return Err(no_heights(&name));
+        let has_points = sorted.order.summary().points > 0;
+        if self.terrain.is_asked() && !(has_points && sorted.has_heights) {
+            return Err(no_heights(&name, has_points));
         }
         say_lost(&read, terrain.raster.as_ref(), sorted.system.as_ref())?;
         if let (Some(system), Some(Format::Ele | Format::Ply)) = (&sorted.system, format)

@@ -184,6 +184,7 @@ impl StreamCommand {
         let next = |alive: usize| -> Result<_, Trouble> {
             trouble.take().map_or(Ok(()), Err)?;
             let room = most.saturating_sub(alive + of_edges);
+            // Four bands are swept beside what is alive.
             let size = (room / weight).min(BAND.max(SHARE * alive / 4));
             bands.resize(size as u64);
             let band = bands.next_band().map_err(Trouble::Order)?;

@@ -10,8 +10,8 @@
 //! **Why nothing depends on the cores:** four bands are settled at once however many there are, and what is passed on is
 //! passed on in the order of the bands. So the triangles come in one order, with the sizes that the caller cuts.
 //!
-//! **Cost:** what is alive is swept again with the rests of four bands. Memory: some 750 bytes for each vertex of a band,
-//! all bands taken together, and what is alive.
+//! **Cost:** what is alive is swept again with the rests of four bands. Memory: for each vertex of a band
+//! some 750 bytes, all bands taken together, with an edge for each some 1,400; and what is alive.
 
 use std::mem;
 
