@@ -16,8 +16,8 @@ pub(crate) struct Placed<'a> {
     sides: Vec<(usize, [usize; 2])>,
     /// For each vertex where its constrained sides begin in the list.
     first: Vec<usize>,
-    /// For each side of the border, as ends in the call, where the triangle inside it stands.
-    border: Vec<[usize; 2]>,
+    /// For each side of the border its ends in the call, and where the triangle inside it stands.
+    border: Vec<([usize; 2], Option<[usize; 2]>)>,
     is_kept: Vec<bool>,
 }
 
@@ -51,9 +51,11 @@ impl<'a> Placed<'a> {
             swept,
             sides,
             first,
-            border: border.iter().map(|side| side.ends.map(&local)).collect(),
+            border: Vec::new(),
             is_kept: vec![border.is_empty(); swept.len()],
         };
+        let ends = border.iter().map(|side| side.ends.map(&local));
+        placed.border = ends.map(|ends| (ends, placed.side(ends))).collect();
         placed.flood();
         placed
     }
@@ -66,13 +68,12 @@ impl<'a> Placed<'a> {
     }
 
     fn flood(&mut self) {
-        let sides = self.border.iter().filter_map(|&ends| self.side(ends));
-        let closed: Vec<[usize; 2]> = sides.collect();
         let mut is_closed = vec![[false; 3]; self.swept.len()];
-        for &[t, k] in &closed {
+        let mut waiting = Vec::with_capacity(self.swept.len());
+        for [t, k] in self.border.iter().filter_map(|&(_, inner)| inner) {
             is_closed[t][k] = true;
+            waiting.push(t);
         }
-        let mut waiting: Vec<usize> = closed.into_iter().map(|[t, _]| t).collect();
         while let Some(t) = waiting.pop() {
             if std::mem::replace(&mut self.is_kept[t], true) {
                 continue;
@@ -103,8 +104,8 @@ impl<'a> Placed<'a> {
         }
         // A corner at each vertex; beyond the border, if all of its triangles are there.
         let mut at = vec![NONE; vertices.len()];
-        for (side, &[a, b]) in border.iter().zip(&self.border) {
-            let inner = self.side([a, b]).map_or(NONE, |[t, k]| side_of(slot[t], k));
+        for (side, &([a, b], inner)) in border.iter().zip(&self.border) {
+            let inner = inner.map_or(NONE, |[t, k]| side_of(slot[t], k));
             if side.across != NONE {
                 at[a] = prev(side.across);
                 at[b] = next(side.across);
